@@ -1,0 +1,20 @@
+# A room is a folder below src/ with its headers below include/tlsph/; it becomes one library,
+# tlsph_<room>, that links exactly the rooms and third parties it may include.
+# Usage: tlsph_room(kernels ROOMS core LINK fmt::fmt)
+function(tlsph_room name)
+  cmake_parse_arguments(room "" "" "ROOMS;LINK;PRIVATE_LINK" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/${name}/*.cpp")
+  list(TRANSFORM room_ROOMS PREPEND tlsph_)
+  if(sources)
+    add_library(tlsph_${name} STATIC ${sources})
+    set(scope PUBLIC)
+    target_link_libraries(tlsph_${name} PRIVATE ${room_PRIVATE_LINK})
+  else()
+    add_library(tlsph_${name} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  target_include_directories(tlsph_${name} ${scope}
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
+  target_link_libraries(tlsph_${name} ${scope} tlsph_settings ${room_ROOMS} ${room_LINK})
+  set_property(GLOBAL APPEND PROPERTY TLSPH_ROOM_TARGETS tlsph_${name})
+endfunction()

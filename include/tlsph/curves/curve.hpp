@@ -1,0 +1,53 @@
+#pragma once
+/// \file
+/// Load curves: a value over time t [s], zero before t = 0, with the rate and the integral that
+/// prescribed motion and exact solutions need.
+
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace tlsph {
+
+/// amplitude for t ≥ 0.
+struct ConstantCurve {
+  double amplitude = 0.0;
+};
+
+/// From 0 at t = 0 linearly to amplitude at t = rise, constant afterwards. `smooth` replaces the line
+/// by the C² quintic 10s³ − 15s⁴ + 6s⁵.
+struct RampCurve {
+  double amplitude = 0.0;
+  double rise = 0.0;
+  bool smooth = false;
+};
+
+/// The smoothed square pulse A/2 [erf((t − 3r)/r) − erf((t − 3r − T)/r)], r = rise, T = duration.
+struct PulseCurve {
+  double amplitude = 0.0;
+  double duration = 0.0;
+  double rise = 0.0;
+};
+
+/// amplitude sin²(π t/T) for 0 ≤ t ≤ T, zero afterwards.
+struct SineSquaredCurve {
+  double amplitude = 0.0;
+  double duration = 0.0;
+};
+
+/// Piecewise linear through (time, value), constant before the first and after the last entry.
+struct TableCurve {
+  std::vector<double> time;
+  std::vector<double> value;
+};
+
+using Curve = std::variant<ConstantCurve, RampCurve, PulseCurve, SineSquaredCurve, TableCurve>;
+
+/// Value at time t.
+[[nodiscard]] double value(const Curve& curve, double t);
+/// d(value)/dt at time t (right-sided at kinks).
+[[nodiscard]] double rate(const Curve& curve, double t);
+/// ∫₀ᵗ value dt', zero for t ≤ 0.
+[[nodiscard]] double integral(const Curve& curve, double t);
+
+}  // namespace tlsph

@@ -1,0 +1,144 @@
+#pragma once
+/// \file
+/// A run described: what the user's scene file says, in SI units, defaults filled in. Plain data; the
+/// reader is in scene/reader.hpp.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "tlsph/core/error.hpp"
+#include "tlsph/curves/curve.hpp"
+#include "tlsph/geometry/shape.hpp"
+
+namespace tlsph {
+
+enum class Formulation { thesis, mirror, variational, stress_point };
+/// How `thesis` closes its boundary: the modified SPH matrix (2.46) with the coupling the seed drops,
+/// the same as printed, or the η corrections (2.42), (2.45) in 1D.
+enum class GhostTreatment { consistent, as_printed, eta };
+enum class BoundarySolver { automatic, cholmod, umfpack };
+enum class Placement { on_boundary, cell_centred };
+/// Corrections of seed 003 for collocated gradients: (42) gradient, (54)–(58) mixed, or none.
+enum class GradientCorrection { none, gradient, mixed };
+enum class StabiliserKind { none, pair, cell };
+enum class StabiliserAction { stiffness, viscosity };
+enum class LawKind { linear_elastic, st_venant_kirchhoff, neo_hookean };
+enum class AssumptionKind { strain, stress };
+enum class ExactKind { none, bar_wave, swinging_plate, uniform_stretch };
+
+struct NamedBox {  ///< [[body.tag]]: nodes inside [lower, upper] get this name
+  std::string name;
+  std::vector<double> lower, upper;
+  Place place;
+};
+
+struct BodyScene {
+  std::variant<std::monostate, Shape<1>, Shape<2>> shape;
+  double spacing = 0.0;  // [m]
+  Placement placement = Placement::on_boundary;
+  double jitter = 0.0;  // share of the spacing, interior nodes only
+  std::uint64_t seed = 1;
+  std::vector<NamedBox> tags;
+  Place place;
+};
+
+struct KernelScene {
+  std::string family;             // default by formulation
+  std::optional<double> support;  // full radius in spacings; empty = nodes of the cell (stress-point)
+  GradientCorrection correction = GradientCorrection::gradient;
+  Place place;
+};
+
+struct StabiliserScene {
+  StabiliserKind kind = StabiliserKind::none;
+  std::optional<double> coefficient;  // empty = auto
+  StabiliserAction action = StabiliserAction::stiffness;
+  Place place;
+};
+
+struct MaterialScene {
+  LawKind law = LawKind::linear_elastic;
+  AssumptionKind assumption = AssumptionKind::strain;
+  double young = 0.0, poisson = 0.0, density = 0.0;  // [Pa], –, [kg/m^3]
+  std::vector<double> lower, upper;                  // region box; empty = the rest of the body
+  Place place;
+};
+
+/// Motion or load of one component; `amplitude` is folded into the curve.
+struct ComponentCurve {
+  int component = 0;
+  Curve curve;
+};
+
+struct BoundaryScene {
+  std::string where;
+  std::vector<int> fixed;                // components held at zero
+  bool symmetry = false;                 // the component normal to the (axis-aligned) patch is zero
+  std::vector<ComponentCurve> motion;    // prescribed displacement [m]
+  std::optional<Curve> normal_traction;  // tension positive [Pa], reference area
+  std::vector<ComponentCurve> traction;  // vector per reference area [Pa]
+  Place place;
+};
+
+struct TimeScene {
+  double end = 0.0;  // [s]
+  double safety = 0.9;
+  std::optional<double> step;  // [s], instead of safety × critical
+  Place place;
+};
+
+enum class Quantity { displacement, velocity, acceleration, deformation_gradient, pk1, cauchy, pressure, von_mises };
+
+struct ProbeScene {
+  std::string name;
+  std::vector<double> at;
+  std::vector<Quantity> record;
+  Place place;
+};
+
+/// zero, constant + gradient·X, or a named field.
+struct InitialField {
+  enum class Kind { zero, linear, swinging_plate, cantilever_mode } kind = Kind::zero;
+  std::vector<double> constant;
+  std::vector<std::vector<double>> gradient;
+  double amplitude = 0.0;  // named fields: of the displacement [m] or velocity [m/s]
+  Place place;
+};
+
+struct OutputScene {
+  int frames = 50;            // full fields, evenly in time, beside the initial one; 0 = none
+  int probe_every = 1;        // steps between rows of probes.csv
+  int energy_every = 0;       // steps between rows of the energy ledger; 0 = about 200 rows a run
+  double checkpoint = 60.0;   // wall seconds between checkpoints
+  int checkpoint_steps = 0;   // steps between checkpoints, 0 = by wall clock only
+  std::vector<std::string> fields = {"displacement", "velocity", "pk1"};
+};
+
+struct Scene {
+  std::string file;    // path as given
+  std::string text;    // the scene as run, overrides applied (TOML)
+  std::string title;
+  int dimension = 2;
+  Formulation formulation = Formulation::stress_point;
+  GhostTreatment ghosts = GhostTreatment::consistent;
+  BoundarySolver boundary_solver = BoundarySolver::automatic;
+  Place formulation_place, boundary_solver_place;
+  BodyScene body;
+  KernelScene kernel;
+  StabiliserScene stabiliser;
+  std::vector<MaterialScene> materials;
+  std::vector<BoundaryScene> boundaries;
+  std::vector<double> body_force;  // acceleration [m/s²], empty = none
+  TimeScene time;
+  std::vector<ProbeScene> probes;
+  ExactKind exact = ExactKind::none;
+  Place exact_place;
+  InitialField displacement, velocity;
+  OutputScene output;
+};
+
+}  // namespace tlsph
