@@ -1,0 +1,63 @@
+#pragma once
+/// \file
+/// The one type behind every gradient G and force operator D: a sparse matrix whose entries are the d
+/// weights of one pair, one a direction, so that each index is read once for all directions and
+/// components. It becomes plain sparse matrices on request.
+///
+///     H = G u:   H_(ia) at s = Σ_q w^a_sq u_i at q         (M×d² from N×d)
+///     f = D P:   f_i at q    = Σ_s Σ_a w^a_qs P_(ia) at s   (N×d from M×d²)
+
+#include <span>
+#include <vector>
+
+#include "tlsph/core/types.hpp"
+#include "tlsph/operators/neighbours.hpp"
+
+namespace tlsph {
+
+template <int D>
+class VectorOperator {
+ public:
+  VectorOperator() = default;
+  /// `weights` holds `stride` numbers an entry: D (weights shared by all components; index a) or D²
+  /// (weights differ by component, as mirrored boundaries need; index i*D + a).
+  VectorOperator(Index rows, Index cols, Neighbours pattern, std::vector<double> weights);
+  /// From one plain matrix a direction (same shape; the pattern is the union).
+  explicit VectorOperator(std::span<const SparseMatrix> directions);
+
+  [[nodiscard]] Index rows() const { return rows_; }
+  [[nodiscard]] Index cols() const { return cols_; }
+  /// Stored entries, each holding one weight a direction.
+  [[nodiscard]] Index nonzeros() const { return pattern_.size(); }
+  /// True when the weights differ by component.
+  [[nodiscard]] bool per_component() const { return stride_ != D; }
+  [[nodiscard]] const Neighbours& pattern() const { return pattern_; }
+  /// Weight of entry k (position in `pattern().column`) in a direction, for a component.
+  [[nodiscard]] double weight(Index k, int direction, int component = 0) const {
+    const Index slot = per_component() ? component * D + direction : direction;
+    return weights_[static_cast<std::size_t>(k * stride_ + slot)];
+  }
+
+  /// H = G u; `H` is resized by the caller.
+  void gradient(const VectorField<D>& u, TensorField<D>& H) const;
+  /// f = D P; `f` is resized by the caller.
+  void divergence(const TensorField<D>& P, VectorField<D>& f) const;
+
+  /// The plain sparse matrix of one direction (for one component where they differ).
+  [[nodiscard]] SparseMatrix matrix(int direction, int component = 0) const;
+  /// −GᵀV_s, the adjoint force operator; V_s [m^d] are the volumes of the rows.
+  [[nodiscard]] VectorOperator negative_adjoint(const ScalarField& row_volumes) const;
+  /// Rows scaled: diag(s) · this.
+  [[nodiscard]] VectorOperator row_scaled(const ScalarField& scale) const;
+  /// Bytes of indices and weights.
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  Index rows_ = 0;
+  Index cols_ = 0;
+  Index stride_ = D;
+  Neighbours pattern_;
+  std::vector<double> weights_;
+};
+
+}  // namespace tlsph
