@@ -1,9 +1,11 @@
 #pragma once
 /// \file
 /// The reference configuration: nodes that carry mass and displacement, material points that carry
-/// deformation and stress, the cells between them and the faces of the boundary. Immutable once built.
+/// deformation and stress, the cells between them and the faces of the boundary. Immutable once
+/// built.
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,19 +13,47 @@
 
 namespace tlsph {
 
+/// Where nodes sit on the lattice: at the corners of its cells, so that some lie on the boundary,
+/// or at the centres of the cells.
+enum class NodePlacement { on_boundary, cell_centred };
+
+/// A full interval or box of nodes in rows: node (i, j) at origin + (i Δ_x, j Δ_y).
+template <int D>
+struct LatticeFrame {
+  Vector<D> origin;           ///< position of node (0, 0) [m]
+  Vector<D> spacing;          ///< Δ per direction [m]
+  std::array<int, D> counts;  ///< nodes per direction
+
+  /// Row of the node, the last coordinate fastest: i in 1D, i·n_y + j in 2D.
+  [[nodiscard]] int index(const std::array<int, D>& coordinates) const {
+    int row = 0;
+    for (std::size_t a = 0; a < D; ++a) row = row * counts[a] + coordinates[a];
+    return row;
+  }
+  /// Lattice coordinates of a row, the inverse of `index`.
+  [[nodiscard]] std::array<int, D> coordinates(int row) const {
+    std::array<int, D> result{};
+    for (std::size_t a = D; a-- > 0; row /= counts[a]) result[a] = row % counts[a];
+    return result;
+  }
+};
+
 /// A piece of the boundary between neighbouring boundary nodes.
 template <int D>
 struct Face {
-  std::array<int, D> nodes;  ///< its end nodes (twice the same one for cell-centred particles in 2D)
-  Vector<D> area;            ///< outward area vector [m^(d−1)], reference configuration
+  std::array<int, D>
+      nodes;       ///< its end nodes (twice the same one for cell-centred particles in 2D)
+  Vector<D> area;  ///< outward area vector [m^(d−1)], reference configuration
 };
 
-/// A named part of the boundary: `left`, `right`, `top`, `bottom`, `hole`, `outer` or a named box.
+/// A named part of the boundary (`left`, `right`, `bottom`, `top`: on the edges of the bounding
+/// box; `hole`: all holes; `hole1`, `hole2` …: one of them; `outer`: all but the holes; `boundary`:
+/// all) or a named box.
 template <int D>
 struct Patch {
   std::string name;
-  std::vector<int> nodes;         ///< sorted, each once
-  std::vector<Face<D>> faces;     ///< the faces that make it up; empty for a named box of inner nodes
+  std::vector<int> nodes;      ///< sorted, each once
+  std::vector<Face<D>> faces;  ///< the faces that make it up; empty for a named box of inner nodes
 };
 
 /// Corners of one lattice cell in cyclic (counter-clockwise) order; 2 in 1D, 4 in 2D.
@@ -32,12 +62,16 @@ using Cell = std::array<int, (1 << D)>;
 
 template <int D>
 struct Particles {
-  VectorField<D> X;            ///< N×d reference positions [m]
-  ScalarField V;               ///< N volumes [m^d], Σ V = |body|
-  VectorField<D> B;            ///< N×d lumped outward boundary area vectors [m^(d−1)], zero inside
-  double spacing = 0.0;        ///< lattice spacing Δ [m]
+  VectorField<D> X;      ///< N×d reference positions [m]
+  ScalarField V;         ///< N volumes [m^d], Σ V = |body|
+  VectorField<D> B;      ///< N×d lumped outward boundary area vectors [m^(d−1)], zero inside
+  double spacing = 0.0;  ///< lattice spacing Δ [m], geometric mean over the directions
   std::vector<Patch<D>> patches;
   std::vector<Cell<D>> cells;  ///< lattice cells inside the body; empty for cell-centred placement
+  Vector<D> spacings = Vector<D>::Zero();  ///< Δ per direction [m], within 1 % of another
+  NodePlacement placement = NodePlacement::on_boundary;
+  std::optional<LatticeFrame<D>>
+      frame;  ///< only if the body is an undisturbed full interval or box
 
   [[nodiscard]] Index size() const { return X.rows(); }
   /// The patch of that name, nullptr if the body has none.

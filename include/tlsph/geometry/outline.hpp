@@ -1,0 +1,44 @@
+#pragma once
+/// \file
+/// The boundary of a 2D shape as straight pieces and arcs with the body on the left. From it
+/// follow, in closed form, the area of any difference of shapes, its perimeter and the closest
+/// boundary point.
+///
+/// Method: the boundary curves of all primitives are cut where they meet; a piece belongs to the
+/// outline if the body lies on exactly one of its sides; area = ½ ∮ X×dX over what is left (Green).
+
+#include <vector>
+
+#include "tlsph/core/types.hpp"
+#include "tlsph/geometry/shape.hpp"
+
+namespace tlsph {
+
+/// A straight piece (radius 0) or an arc `centre + radius (cos φ, sin φ)`, φ from `start` over
+/// `sweep` radians (counter-clockwise positive).
+struct OutlinePiece {
+  Vector<2> from;
+  Vector<2> to;
+  Vector<2> centre = Vector<2>::Zero();
+  double radius = 0.0;
+  double start = 0.0;
+  double sweep = 0.0;
+
+  [[nodiscard]] bool is_arc() const { return radius > 0.0; }
+  /// Point at parameter t in [0, 1].
+  [[nodiscard]] Vector<2> at(double t) const;
+  /// Unit normal at t to the right of the direction of travel: outward of the body.
+  [[nodiscard]] Vector<2> normal(double t) const;
+  [[nodiscard]] double length() const;
+  /// Closest point of the piece to x.
+  [[nodiscard]] Vector<2> closest(const Vector<2>& x) const;
+};
+
+/// Boundary pieces of the shape, in no particular order; empty if nothing is left of it. Slivers
+/// thinner than 1e-7 of the shape's size are not resolved.
+[[nodiscard]] std::vector<OutlinePiece> outline(const Shape<2>& shape);
+
+/// ½ ∮ X×dX [m²] over closed pieces.
+[[nodiscard]] double enclosed_area(const std::vector<OutlinePiece>& pieces);
+
+}  // namespace tlsph
