@@ -1,0 +1,188 @@
+#pragma once
+/// \file
+/// Sparse matrices factorised once and solved many times: Cholesky (symmetric positive definite),
+/// LU (square), QR (any shape). This is the only door to SuiteSparse, and nothing of it shows here.
+///
+/// A factorisation is immutable (but for Cholesky::refactorize), movable, and may be shared by
+/// threads: what a solve writes lives in a SolveWorkspace, one for each thread. With a workspace at
+/// hand a solve takes nothing from the heap, so it may stand inside a time step.
+///
+/// Every class throws NumericalError (time 0, particle −1) when the matrix cannot be factorised: a
+/// value that is not finite, a singular or indefinite matrix, or one too large for the memory.
+
+#include <Eigen/Core>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "tlsph/core/error.hpp"
+#include "tlsph/core/types.hpp"
+
+namespace tlsph {
+
+/// The solution of A x = b has as many columns as b, known at compile time if those of b are.
+template <typename Rhs>
+using Solution = Eigen::Matrix<double, Eigen::Dynamic, Rhs::ColsAtCompileTime>;
+
+/// Scratch memory of repeated solves, made by `factorization.workspace()` and good for that one.
+class SolveWorkspace {
+ public:
+  ~SolveWorkspace();
+  SolveWorkspace(SolveWorkspace&&) noexcept;
+  SolveWorkspace& operator=(SolveWorkspace&&) noexcept;
+  SolveWorkspace(const SolveWorkspace&) = delete;
+  SolveWorkspace& operator=(const SolveWorkspace&) = delete;
+
+ private:
+  friend class Cholesky;
+  friend class Lu;
+  struct Impl;
+  explicit SolveWorkspace(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+/// P A Pᵀ = L Lᵀ of a symmetric positive definite matrix (CHOLMOD, fill-reducing order, supernodal
+/// where that pays).
+class Cholesky {
+ public:
+  /// Only the lower triangle of A (n×n) is read, so A may be stored in full or by its lower half.
+  explicit Cholesky(const SparseMatrix& A);
+  ~Cholesky();
+  Cholesky(Cholesky&&) noexcept;
+  Cholesky& operator=(Cholesky&&) noexcept;
+  Cholesky(const Cholesky&) = delete;
+  Cholesky& operator=(const Cholesky&) = delete;
+
+  /// Empty when A is not positive definite, and only then; every other failure throws.
+  [[nodiscard]] static std::optional<Cholesky> attempt(const SparseMatrix& A);
+
+  /// New values in the same pattern of non-zeros: the order and the symbolic analysis are kept.
+  /// Another pattern is std::invalid_argument. If the new matrix is not positive definite it
+  /// throws, and nothing may be solved before a refactorisation succeeds.
+  void refactorize(const SparseMatrix& A);
+
+  [[nodiscard]] Index rows() const;
+
+  /// x with A x = b, for one right-hand side or a column for each.
+  template <typename Rhs>
+  [[nodiscard]] Solution<Rhs> solve(const Eigen::MatrixBase<Rhs>& b) const {
+    return solve_columns(b);
+  }
+
+  [[nodiscard]] SolveWorkspace workspace() const;
+  /// As `solve`, n values from `rhs` to `x` (which must not overlap), without heap allocation.
+  void solve_into(const double* rhs, double* x, SolveWorkspace& workspace) const;
+
+  /// Estimate of ‖A‖₁ ‖A⁻¹‖₁ at the cost of a few solves (Hager 1984, Higham 1988): never above the
+  /// true number, seldom below a third of it.
+  [[nodiscard]] double condition_estimate() const;
+
+ private:
+  struct Impl;
+  explicit Cholesky(std::unique_ptr<Impl> impl);
+  [[nodiscard]] Eigen::MatrixXd solve_columns(const Eigen::Ref<const Eigen::MatrixXd>& b) const;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// P R A Q = L U of a general square matrix (UMFPACK), with iterative refinement in each solve.
+class Lu {
+ public:
+  /// `refinement_steps` is the most that a solve takes; it stops as soon as they no longer help.
+  explicit Lu(const SparseMatrix& A, int refinement_steps = 2);
+  ~Lu();
+  Lu(Lu&&) noexcept;
+  Lu& operator=(Lu&&) noexcept;
+  Lu(const Lu&) = delete;
+  Lu& operator=(const Lu&) = delete;
+
+  [[nodiscard]] Index rows() const;
+
+  /// x with A x = b, for one right-hand side or a column for each.
+  template <typename Rhs>
+  [[nodiscard]] Solution<Rhs> solve(const Eigen::MatrixBase<Rhs>& b) const {
+    return solve_columns(b);
+  }
+
+  [[nodiscard]] SolveWorkspace workspace() const;
+  /// As `solve`, n values from `rhs` to `x` (which must not overlap), without heap allocation.
+  void solve_into(const double* rhs, double* x, SolveWorkspace& workspace) const;
+
+  /// As Cholesky::condition_estimate.
+  [[nodiscard]] double condition_estimate() const;
+
+ private:
+  struct Impl;
+  [[nodiscard]] Eigen::MatrixXd solve_columns(const Eigen::Ref<const Eigen::MatrixXd>& b) const;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// A E = Q R of any matrix (SPQR): the x of least ‖A x − b‖₂, and of these the one of least ‖x‖₂.
+class LeastSquares {
+ public:
+  /// Columns that depend on others to within rounding do not count towards the rank.
+  explicit LeastSquares(const SparseMatrix& A);
+  ~LeastSquares();
+  LeastSquares(LeastSquares&&) noexcept;
+  LeastSquares& operator=(LeastSquares&&) noexcept;
+  LeastSquares(const LeastSquares&) = delete;
+  LeastSquares& operator=(const LeastSquares&) = delete;
+
+  [[nodiscard]] Index rows() const;
+  [[nodiscard]] Index cols() const;
+  [[nodiscard]] Index rank() const;
+
+  /// x (cols×k) for b (rows×k).
+  template <typename Rhs>
+  [[nodiscard]] Solution<Rhs> solve(const Eigen::MatrixBase<Rhs>& b) const {
+    return solve_columns(b);
+  }
+
+ private:
+  struct Impl;
+  [[nodiscard]] Eigen::MatrixXd solve_columns(const Eigen::Ref<const Eigen::MatrixXd>& b) const;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Which factorisation a square system may use.
+enum class SolverChoice { automatic, cholmod, umfpack };
+
+/// Cholesky where the matrix allows it and LU elsewhere; the factorisation decides, not a guess.
+class SymmetricOrGeneral {
+ public:
+  /// `automatic` takes Cholesky for a matrix that is symmetric (to rounding) and positive definite,
+  /// LU otherwise. `cholmod` for a matrix that is not both is an InputError at `place`, which says
+  /// why.
+  explicit SymmetricOrGeneral(const SparseMatrix& A, SolverChoice choice = SolverChoice::automatic,
+                              const Place& place = {});
+
+  [[nodiscard]] Index rows() const;
+
+  /// The factorisation in use, `cholmod` or `umfpack`.
+  [[nodiscard]] SolverChoice chosen() const;
+  /// Why it is in use, as a clause to print: "not symmetric: …", "symmetric, not positive
+  /// definite".
+  [[nodiscard]] const std::string& reason() const { return reason_; }
+
+  /// x with A x = b, for one right-hand side or a column for each.
+  template <typename Rhs>
+  [[nodiscard]] Solution<Rhs> solve(const Eigen::MatrixBase<Rhs>& b) const {
+    return std::visit([&](const auto& factor) { return factor.solve(b); }, factor_);
+  }
+
+  [[nodiscard]] SolveWorkspace workspace() const;
+  /// As `solve`, n values from `rhs` to `x` (which must not overlap), without heap allocation.
+  void solve_into(const double* rhs, double* x, SolveWorkspace& workspace) const;
+
+  /// As Cholesky::condition_estimate.
+  [[nodiscard]] double condition_estimate() const;
+
+ private:
+  using Factor = std::variant<Cholesky, Lu>;
+  static Factor factorise(const SparseMatrix& A, SolverChoice choice, const Place& place,
+                          std::string& reason);
+  std::string reason_;
+  Factor factor_;
+};
+
+}  // namespace tlsph

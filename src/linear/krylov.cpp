@@ -1,0 +1,127 @@
+#include "tlsph/linear/krylov.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <stdexcept>
+
+#include "tlsph/core/error.hpp"
+
+namespace tlsph {
+namespace {
+
+constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
+
+/// A unit vector with entries from the raw bits of the generator, so that every standard library
+/// draws the same.
+Eigen::VectorXd random_unit_vector(Index n, std::uint64_t seed) {
+  std::mt19937_64 bits(seed);
+  Eigen::VectorXd v(n);
+  for (double& entry : v) entry = std::ldexp(static_cast<double>(bits() >> 11), -52) - 1.0;
+  return v / v.norm();
+}
+
+void require_finite(const Eigen::VectorXd& y) {
+  if (!y.allFinite()) {
+    throw NumericalError("eigenvalue estimate: the operator gave a value that is not finite", 0.0,
+                         -1);
+  }
+}
+
+void require_entries(Index n, int steps) {
+  if (n < 1 || steps < 1) {
+    throw std::invalid_argument("eigenvalue estimate: wants at least one entry and one step");
+  }
+}
+
+/// θ and |s_k| of the largest eigenpair of the tridiagonal matrix T.
+struct RitzPair {
+  double value;
+  double last_component;
+};
+
+RitzPair largest_ritz_pair(const std::vector<double>& diagonal, const std::vector<double>& beside) {
+  const auto k = static_cast<Index>(diagonal.size());
+  const Eigen::VectorXd alpha = Eigen::Map<const Eigen::VectorXd>(diagonal.data(), k);
+  const Eigen::VectorXd beta = Eigen::Map<const Eigen::VectorXd>(beside.data(), k - 1);
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
+  solver.computeFromTridiagonal(alpha, beta);
+  return {solver.eigenvalues()(k - 1), std::abs(solver.eigenvectors()(k - 1, k - 1))};
+}
+
+}  // namespace
+
+LanczosResult largest_eigenvalue(const LinearMap& symmetric, Index n,
+                                 const LanczosOptions& options) {
+  require_entries(n, options.max_steps);
+  Eigen::VectorXd v = random_unit_vector(n, options.seed);
+  Eigen::VectorXd previous = Eigen::VectorXd::Zero(n);
+  Eigen::VectorXd w(n);
+  std::vector<double> alpha;
+  std::vector<double> beta;
+  LanczosResult result;
+  // A V = V T + β_k v_{k+1} e_kᵀ, T tridiagonal: w = A v_k − α_k v_k − β_{k−1} v_{k−1}.
+  double scale = 0.0;
+  while (result.steps < options.max_steps) {
+    symmetric(v, w);
+    require_finite(w);
+    ++result.steps;
+    if (!beta.empty()) w -= beta.back() * previous;
+    alpha.push_back(w.dot(v));
+    w -= alpha.back() * v;
+    const double next = w.norm();
+
+    const RitzPair ritz = largest_ritz_pair(alpha, beta);
+    scale = std::max({scale, std::abs(alpha.back()), next});
+    const bool closed = next <= rounding * scale;  // the Krylov space is invariant: θ is exact
+    result.value = ritz.value;
+    result.residual = next * ritz.last_component;
+    result.converged = closed || result.residual <= options.tolerance * std::abs(ritz.value);
+    if (result.converged) break;
+
+    beta.push_back(next);
+    previous.swap(v);
+    v = w / next;
+  }
+  result.upper_bound = result.value + result.residual;
+  return result;
+}
+
+std::vector<std::complex<double>> arnoldi_eigenvalues(const LinearMap& map, Index n, int steps,
+                                                      std::uint64_t seed) {
+  require_entries(n, steps);
+  const Index most = std::min<Index>(n, steps);
+  Eigen::MatrixXd V(n, most + 1);
+  Eigen::MatrixXd H = Eigen::MatrixXd::Zero(most + 1, most);
+  V.col(0) = random_unit_vector(n, seed);
+  Eigen::VectorXd x(n);
+  Eigen::VectorXd w(n);
+  Index k = 0;
+  while (k < most) {
+    x = V.col(k);
+    map(x, w);
+    require_finite(w);
+    const double length = w.norm();
+    // Gram–Schmidt twice is enough to be orthogonal to rounding (Kahan and Parlett).
+    for (int pass = 0; pass < 2; ++pass) {
+      const Eigen::VectorXd overlap = V.leftCols(k + 1).transpose() * w;
+      w -= V.leftCols(k + 1) * overlap;
+      H.col(k).head(k + 1) += overlap;
+    }
+    const double next = w.norm();
+    ++k;
+    if (next <= rounding * length) break;  // the Krylov space is invariant
+    H(k, k - 1) = next;
+    V.col(k) = w / next;
+  }
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(H.topLeftCorner(k, k), false);
+  const Eigen::VectorXcd values = solver.eigenvalues();
+  std::vector<std::complex<double>> sorted(values.begin(), values.end());
+  std::ranges::stable_sort(sorted, std::ranges::greater{},
+                           [](const std::complex<double>& z) { return std::abs(z); });
+  return sorted;
+}
+
+}  // namespace tlsph

@@ -1,0 +1,70 @@
+/// A solve with a workspace takes nothing from the heap, counted below the C++ and the C allocator:
+/// the libraries call malloc.
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+
+#include "matrices.hpp"
+#include "tlsph/linear/factorization.hpp"
+
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
+
+namespace {
+std::atomic<long> allocations{0};
+}
+
+extern "C" {
+void* __libc_malloc(std::size_t size);
+void* __libc_calloc(std::size_t count, std::size_t size);
+void* __libc_realloc(void* block, std::size_t size);
+
+void* malloc(std::size_t size) {
+  ++allocations;
+  return __libc_malloc(size);
+}
+void* calloc(std::size_t count, std::size_t size) {
+  ++allocations;
+  return __libc_calloc(count, size);
+}
+void* realloc(void* block, std::size_t size) {
+  ++allocations;
+  return __libc_realloc(block, size);
+}
+}
+
+namespace tlsph {
+namespace {
+
+template <typename Factor>
+class SolveInto : public testing::Test {};
+using SquareFactors = testing::Types<Cholesky, Lu, SymmetricOrGeneral>;
+TYPED_TEST_SUITE(SolveInto, SquareFactors);
+
+TYPED_TEST(SolveInto, AllocatesNothing) {
+  for (const Index n : {3, 100}) {  // simplicial and supernodal
+    const SparseMatrix A = test::laplacian_2d(n, 0.1);
+    const TypeParam factor(A);
+    SolveWorkspace workspace = factor.workspace();
+    const Eigen::VectorXd b = Eigen::VectorXd::Ones(A.rows());
+    Eigen::VectorXd x(A.rows());
+
+    const long before = allocations;
+    factor.solve_into(b.data(), x.data(), workspace);
+    const long during = allocations - before;
+
+    EXPECT_EQ(during, 0) << n;
+  }
+}
+
+TEST(AllocationCounter, Counts) {
+  const long before = allocations;
+  const Eigen::VectorXd some(100);
+  EXPECT_GT(allocations, before);
+}
+
+}  // namespace
+}  // namespace tlsph
+
+#endif
