@@ -72,13 +72,6 @@ void validate_polygon(const Polygon& polygon, const Place& place) {
     }
   if (std::abs(signed_area(corners)) <= 1e-9 * size * size)
     throw InputError(place, "the polygon has no area: its corners lie on one line");
-  for (std::size_t k = 0; k < n; ++k) {  // an edge that runs back over the one before it
-    const Vector<2> here = corners[(k + 1) % n] - corners[k];
-    const Vector<2> next = corners[(k + 2) % n] - corners[(k + 1) % n];
-    if (here.dot(next) < 0.0 && std::abs(cross(here, next)) <= 1e-9 * here.norm() * next.norm())
-      throw InputError(
-          place, fmt::format("the polygon folds back on itself at corner {}", (k + 1) % n + 1));
-  }
 }
 
 void validate_difference(const Difference<2>& difference, const Place& place) {

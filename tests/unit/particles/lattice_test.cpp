@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "tlsph/geometry/region.hpp"
+#include "unit/particles/refusal.hpp"
 
 namespace tlsph {
 namespace {
@@ -26,17 +27,6 @@ Vector<D> total_area(const Patch<D>& patch) {
   Vector<D> sum = Vector<D>::Zero();
   for (const auto& face : patch.faces) sum += face.area;
   return sum;
-}
-
-/// What InputError says when the call is made.
-template <class Call>
-std::string refusal(Call call) {
-  try {
-    call();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
 }
 
 Shape<2> unit_square() {
