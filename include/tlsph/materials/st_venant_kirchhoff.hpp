@@ -1,0 +1,75 @@
+#pragma once
+/// \file
+/// St Venant–Kirchhoff: P = F S with S = λ tr(E) I + 2μ E, E the Green–Lagrange strain. Where the
+/// missing directions are free of stress, S_33 = 0 is linear in E_33 and leaves the same law with
+/// the reduced λ.
+
+#include <cmath>
+
+#include "tlsph/materials/kinematics.hpp"
+#include "tlsph/materials/lame.hpp"
+
+namespace tlsph {
+
+template <int D, Assumption A = Assumption::strain>
+class StVenantKirchhoff {
+ public:
+  static constexpr std::string_view name = "st-venant-kirchhoff";
+  static constexpr bool small_strain = false;
+
+  explicit StVenantKirchhoff(const Lame& constants)
+      : lambda_(reduced_lambda(constants, D, A)),
+        mu_(constants.mu),
+        transverse_ratio_(constants.lambda / (2 * constants.mu + (3 - D) * constants.lambda)) {}
+
+  /// Ψ = λ/2 (tr E)² + μ E:E.
+  [[nodiscard]] double energy(const Tensor<D>& H) const {
+    const Tensor<D> E = green_lagrange<D>(H);
+    const double trace = E.trace();
+    return 0.5 * lambda_ * trace * trace + mu_ * E.squaredNorm();
+  }
+
+  [[nodiscard]] Tensor<D> pk1(const Tensor<D>& H) const {
+    const Tensor<D> S = stress(green_lagrange<D>(H));
+    return S + H * S;
+  }
+
+  /// dP = dH S + F dS, dS from dE = sym(Fᵀ dH).
+  [[nodiscard]] Tensor<D> dpk1(const Tensor<D>& H, const Tensor<D>& dH) const {
+    const Tensor<D> F = deformation_gradient<D>(H);
+    const Tensor<D> half = F.transpose() * dH;
+    const Tensor<D> dS = stress(0.5 * (half + half.transpose()));
+    return dH * stress(green_lagrange<D>(H)) + F * dS;
+  }
+
+  [[nodiscard]] Tangent<D> tangent(const Tensor<D>& H) const {
+    return tangent_from_action<D>(*this, H);
+  }
+
+  /// 1, or √(1 + 2E_33) where the stress is zero; NaN once 1 + 2E_33 < 0, when no real stretch
+  /// frees the body of transverse stress any more.
+  [[nodiscard]] double transverse_stretch(const Tensor<D>& H) const {
+    if constexpr (A == Assumption::strain) return 1.0;
+    return std::sqrt(1 - 2 * transverse_ratio_ * green_lagrange<D>(H).trace());
+  }
+
+  /// Cauchy σ_33 = F_33 S_33 F_33/J = λ tr(E)/J, or zero.
+  [[nodiscard]] double transverse_stress(const Tensor<D>& H) const {
+    if constexpr (A == Assumption::stress) return 0.0;
+    return lambda_ * green_lagrange<D>(H).trace() / (1 + volume_change<D>(H));
+  }
+
+ private:
+  [[nodiscard]] Tensor<D> stress(const Tensor<D>& E) const {
+    return lambda_ * E.trace() * Tensor<D>::Identity() + 2 * mu_ * E;
+  }
+
+  double lambda_;
+  double mu_;
+  double transverse_ratio_;
+};
+
+static_assert(ElasticLaw<StVenantKirchhoff<1, Assumption::stress>, 1>);
+static_assert(ElasticLaw<StVenantKirchhoff<2>, 2> && ElasticLaw<StVenantKirchhoff<3>, 3>);
+
+}  // namespace tlsph
