@@ -43,7 +43,7 @@ struct BodyScene {
   double jitter = 0.0;  // share of the spacing, interior nodes only
   std::uint64_t seed = 1;
   std::vector<NamedBox> tags;
-  Place place;
+  Place place, spacing_place;
 };
 
 struct KernelScene {
@@ -61,7 +61,7 @@ struct StabiliserScene {
 };
 
 struct MaterialScene {
-  LawKind law = LawKind::linear_elastic;
+  LawKind law = LawKind::neo_hookean;
   AssumptionKind assumption = AssumptionKind::strain;
   double young = 0.0, poisson = 0.0, density = 0.0;  // [Pa], –, [kg/m^3]
   std::vector<double> lower, upper;                  // region box; empty = the rest of the body

@@ -1,0 +1,129 @@
+#pragma once
+/// \file
+/// How a scene spells its choices: one list per enumeration, read by the scene reader, printed by
+/// `scene-reference`, used again wherever a result names what was run.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "tlsph/scene/scene.hpp"
+
+namespace tlsph {
+
+template <class E, std::size_t N>
+using NameList = std::array<std::pair<std::string_view, E>, N>;
+
+template <class E>
+struct Names;
+
+template <>
+struct Names<Formulation> {
+  static constexpr NameList<Formulation, 4> list = {{{"thesis", Formulation::thesis},
+                                                     {"mirror", Formulation::mirror},
+                                                     {"variational", Formulation::variational},
+                                                     {"stress-point", Formulation::stress_point}}};
+};
+template <>
+struct Names<GhostTreatment> {
+  static constexpr NameList<GhostTreatment, 3> list = {{{"consistent", GhostTreatment::consistent},
+                                                        {"as-printed", GhostTreatment::as_printed},
+                                                        {"eta", GhostTreatment::eta}}};
+};
+template <>
+struct Names<BoundarySolver> {
+  static constexpr NameList<BoundarySolver, 3> list = {{{"auto", BoundarySolver::automatic},
+                                                        {"cholmod", BoundarySolver::cholmod},
+                                                        {"umfpack", BoundarySolver::umfpack}}};
+};
+template <>
+struct Names<Placement> {
+  static constexpr NameList<Placement, 2> list = {
+      {{"on-boundary", Placement::on_boundary}, {"cell-centred", Placement::cell_centred}}};
+};
+template <>
+struct Names<GradientCorrection> {
+  static constexpr NameList<GradientCorrection, 3> list = {
+      {{"none", GradientCorrection::none},
+       {"gradient", GradientCorrection::gradient},
+       {"mixed", GradientCorrection::mixed}}};
+};
+template <>
+struct Names<StabiliserKind> {
+  static constexpr NameList<StabiliserKind, 3> list = {{{"none", StabiliserKind::none},
+                                                        {"pair", StabiliserKind::pair},
+                                                        {"cell", StabiliserKind::cell}}};
+};
+template <>
+struct Names<StabiliserAction> {
+  static constexpr NameList<StabiliserAction, 2> list = {
+      {{"stiffness", StabiliserAction::stiffness}, {"viscosity", StabiliserAction::viscosity}}};
+};
+template <>
+struct Names<LawKind> {
+  static constexpr NameList<LawKind, 3> list = {
+      {{"linear-elastic", LawKind::linear_elastic},
+       {"st-venant-kirchhoff", LawKind::st_venant_kirchhoff},
+       {"neo-hookean", LawKind::neo_hookean}}};
+};
+template <>
+struct Names<AssumptionKind> {
+  static constexpr NameList<AssumptionKind, 2> list = {
+      {{"strain", AssumptionKind::strain}, {"stress", AssumptionKind::stress}}};
+};
+template <>
+struct Names<ExactKind> {
+  static constexpr NameList<ExactKind, 4> list = {
+      {{"none", ExactKind::none},
+       {"bar-wave", ExactKind::bar_wave},
+       {"swinging-plate", ExactKind::swinging_plate},
+       {"uniform-stretch", ExactKind::uniform_stretch}}};
+};
+template <>
+struct Names<Quantity> {
+  static constexpr NameList<Quantity, 8> list = {
+      {{"displacement", Quantity::displacement},
+       {"velocity", Quantity::velocity},
+       {"acceleration", Quantity::acceleration},
+       {"deformation_gradient", Quantity::deformation_gradient},
+       {"pk1", Quantity::pk1},
+       {"cauchy", Quantity::cauchy},
+       {"pressure", Quantity::pressure},
+       {"von_mises", Quantity::von_mises}}};
+};
+/// The fields an initial state can name beside `zero` and a linear map.
+template <>
+struct Names<InitialField::Kind> {
+  static constexpr NameList<InitialField::Kind, 2> list = {
+      {{"swinging-plate", InitialField::Kind::swinging_plate},
+       {"cantilever-mode", InitialField::Kind::cantilever_mode}}};
+};
+
+/// The scene's word for a value.
+template <class E>
+[[nodiscard]] constexpr std::string_view name_of(E value) {
+  for (const auto& [name, entry] : Names<E>::list)
+    if (entry == value) return name;
+  return "";
+}
+
+/// The value a word stands for; empty if it is none of them.
+template <class E>
+[[nodiscard]] constexpr std::optional<E> from_name(std::string_view word) {
+  for (const auto& [name, entry] : Names<E>::list)
+    if (name == word) return entry;
+  return std::nullopt;
+}
+
+/// `a | b | c`.
+template <class E>
+[[nodiscard]] std::string choices() {
+  std::string text;
+  for (const auto& [name, entry] : Names<E>::list)
+    text.append(text.empty() ? "" : " | ").append(name);
+  return text;
+}
+
+}  // namespace tlsph

@@ -1,0 +1,237 @@
+#include "document.hpp"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace tlsph {
+namespace {
+
+/// Where values come from: a file, or an override at `path`, whose values all share one place that
+/// already names the path.
+struct Origin {
+  std::string file;
+  std::optional<std::string> path;
+
+  [[nodiscard]] Place at(const toml::source_region& source, const std::string& key) const {
+    if (path) return Place{file, 0, 0, key == *path ? "" : key};
+    return Place{file, static_cast<int>(source.begin.line), static_cast<int>(source.begin.column),
+                 key};
+  }
+};
+
+Node convert(const toml::node& node, const Origin& origin, const std::string& path);
+
+std::vector<Entry> convert_table(const toml::table& table, const Origin& origin,
+                                 const std::string& path) {
+  std::vector<std::pair<toml::source_position, Entry>> entries;
+  for (const auto& [key, value] : table) {
+    const std::string name(key.str());
+    const std::string below = join_path(path, name);
+    entries.emplace_back(key.source().begin, Entry{name, origin.at(key.source(), below),
+                                                   convert(value, origin, below)});
+  }
+  // The library sorts by name; the user's order is that of the file.
+  std::stable_sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) {
+    return std::pair(a.first.line, a.first.column) < std::pair(b.first.line, b.first.column);
+  });
+  std::vector<Entry> result;
+  for (auto& [position, entry] : entries) result.push_back(std::move(entry));
+  return result;
+}
+
+Node convert(const toml::node& node, const Origin& origin, const std::string& path) {
+  Node result{Unsupported{}, origin.at(node.source(), path), path};
+  if (const auto* flag = node.as_boolean()) {
+    result.value = flag->get();
+  } else if (const auto* integer = node.as_integer()) {
+    result.value = integer->get();
+  } else if (const auto* number = node.as_floating_point()) {
+    result.value = number->get();
+  } else if (const auto* text = node.as_string()) {
+    result.value = text->get();
+  } else if (const auto* table = node.as_table()) {
+    result.value = convert_table(*table, origin, path);
+  } else if (const auto* array = node.as_array()) {
+    std::vector<Node> items;
+    for (std::size_t i = 0; i < array->size(); ++i)
+      items.push_back(convert((*array)[i], origin, fmt::format("{}[{}]", path, i)));
+    result.value = std::move(items);
+  }
+  return result;
+}
+
+/// Length of the UTF-8 sequence at `i`, 0 if there is none.
+std::size_t utf8_length(std::string_view text, std::size_t i) {
+  const auto byte = [&](std::size_t k) {
+    return i + k < text.size() ? static_cast<unsigned char>(text[i + k]) : 0U;
+  };
+  const auto tail = [&](std::size_t k) { return (byte(k) & 0xC0U) == 0x80U; };
+  if (byte(0) < 0x80U) return 1;
+  if (byte(0) >= 0xC2U && byte(0) < 0xE0U && tail(1)) return 2;
+  if (byte(0) >= 0xE0U && byte(0) < 0xF0U && tail(1) && tail(2)) {
+    const bool overlong = byte(0) == 0xE0U && byte(1) < 0xA0U;
+    const bool surrogate = byte(0) == 0xEDU && byte(1) >= 0xA0U;
+    return overlong || surrogate ? 0 : 3;
+  }
+  if (byte(0) >= 0xF0U && byte(0) < 0xF5U && tail(1) && tail(2) && tail(3)) {
+    const bool overlong = byte(0) == 0xF0U && byte(1) < 0x90U;
+    const bool beyond = byte(0) == 0xF4U && byte(1) >= 0x90U;
+    return overlong || beyond ? 0 : 4;
+  }
+  return 0;
+}
+
+void require_text(const std::string& text, const std::string& name) {
+  int line = 1;
+  int column = 1;
+  for (std::size_t i = 0; i < text.size();) {
+    if (text[i] == '\0')
+      throw InputError(Place{name, line, column, ""},
+                       "a binary file, not a scene; a scene is TOML text in UTF-8");
+    const std::size_t length = utf8_length(text, i);
+    if (length == 0)
+      throw InputError(
+          Place{name, line, column, ""},
+          fmt::format("byte 0x{:02x} is not UTF-8; a scene is TOML text, save it as UTF-8",
+                      static_cast<unsigned char>(text[i])));
+    if (text[i] == '\n') {
+      ++line;
+      column = 1;
+    } else {
+      ++column;
+    }
+    i += length;
+  }
+}
+
+std::string quote(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      result += '\\';
+      result += c;
+    } else if (static_cast<unsigned char>(c) < 0x20U || c == 0x7F) {
+      result += fmt::format("\\u{:04x}", static_cast<unsigned>(static_cast<unsigned char>(c)));
+    } else {
+      result += c;
+    }
+  }
+  return result + '"';
+}
+
+bool is_bare(const std::string& name) {
+  return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '-';
+  });
+}
+
+std::string print_key(const std::string& name) {
+  return is_bare(name) ? name : quote(name);
+}
+
+bool is_list_of_tables(const Node& node) {
+  const auto* list = node.list();
+  return list && !list->empty() &&
+         std::all_of(list->begin(), list->end(), [](const Node& item) { return item.table(); });
+}
+
+std::string print_entries(const std::vector<Entry>& entries) {
+  std::string text;
+  for (const auto& [name, place, value] : entries)
+    text += fmt::format("{} = {}\n", print_key(name), print_value(value));
+  return text;
+}
+
+}  // namespace
+
+double Node::number() const {
+  if (const auto* whole = integer()) return static_cast<double>(*whole);
+  return std::get<double>(value);
+}
+
+const Node* Node::find(std::string_view name) const {
+  if (const auto* entries = table())
+    for (const auto& entry : *entries)
+      if (entry.name == name) return &entry.value;
+  return nullptr;
+}
+
+Node* Node::find(std::string_view name) {
+  return const_cast<Node*>(std::as_const(*this).find(name));
+}
+
+std::string join_path(const std::string& path, const std::string& name) {
+  return path.empty() ? print_key(name) : path + '.' + print_key(name);
+}
+
+Node parse_document(const std::string& text, const std::string& name) {
+  require_text(text, name);
+  try {
+    const toml::table table = toml::parse(text, name);
+    return Node{convert_table(table, Origin{name, std::nullopt}, ""), Place{name, 1, 1, ""}, ""};
+  } catch (const toml::parse_error& error) {
+    const auto& begin = error.source().begin;
+    throw InputError(Place{name, static_cast<int>(begin.line), static_cast<int>(begin.column), ""},
+                     fmt::format("not TOML: {}", error.description()));
+  }
+}
+
+std::optional<Node> parse_value(const std::string& text, const Place& place,
+                                const std::string& path) {
+  require_text(text, place.file);
+  try {
+    const toml::table table = toml::parse("value = " + text + "\n");
+    // A line break in the text could smuggle in more entries: then it is no single value.
+    if (table.size() != 1) return std::nullopt;
+    return convert(*table.get("value"), Origin{place.file, path}, path);
+  } catch (const toml::parse_error&) {
+    return std::nullopt;
+  }
+}
+
+std::string print_value(const Node& node) {
+  if (const auto* flag = node.flag()) return *flag ? "true" : "false";
+  if (const auto* integer = node.integer()) return fmt::format("{}", *integer);
+  if (const auto* number = std::get_if<double>(&node.value)) {
+    if (!std::isfinite(*number)) return fmt::format("{}", *number);
+    std::string text = fmt::format("{}", *number);  // the shortest text that reads back the same
+    return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
+  }
+  if (const auto* text = node.text()) return quote(*text);
+  if (const auto* list = node.list()) {
+    std::string text;
+    for (const auto& item : *list) text += (text.empty() ? "" : ", ") + print_value(item);
+    return '[' + text + ']';
+  }
+  if (const auto* entries = node.table()) {
+    std::string text;
+    for (const auto& [name, place, value] : *entries)
+      text +=
+          fmt::format("{}{} = {}", text.empty() ? "" : ", ", print_key(name), print_value(value));
+    return "{ " + text + " }";
+  }
+  return "a date or time";
+}
+
+std::string print_document(const Node& root) {
+  std::string text;
+  for (const auto& [name, place, value] : *root.table())
+    if (!value.table() && !is_list_of_tables(value))
+      text += fmt::format("{} = {}\n", print_key(name), print_value(value));
+  for (const auto& [name, place, value] : *root.table()) {
+    if (const auto* entries = value.table())
+      text += fmt::format("\n[{}]\n{}", print_key(name), print_entries(*entries));
+    if (is_list_of_tables(value))
+      for (const auto& item : *value.list())
+        text += fmt::format("\n[[{}]]\n{}", print_key(name), print_entries(*item.table()));
+  }
+  return text;
+}
+
+}  // namespace tlsph

@@ -1,0 +1,158 @@
+// Where named initial fields and exact solutions apply.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "rules.hpp"
+
+namespace tlsph {
+namespace {
+
+/// All a scene says about one patch.
+struct PatchSummary {
+  bool held_x = false, held_y = false, moved_x = false, moved = false;
+  bool loaded_x = false;  // normal to a left or right patch
+  bool loaded = false;
+};
+
+PatchSummary summary(const Scene& scene, const std::string& where) {
+  PatchSummary patch;
+  const bool faces_x = where == "left" || where == "right";
+  for (const auto& entry : scene.boundaries) {
+    if (entry.where != where) continue;
+    for (const int component : entry.fixed) (component == 0 ? patch.held_x : patch.held_y) = true;
+    if (entry.symmetry) (faces_x ? patch.held_x : patch.held_y) = true;
+    for (const auto& motion : entry.motion) {
+      patch.moved = true;
+      if (motion.component == 0) patch.moved_x = true;
+    }
+    if (entry.normal_traction) {
+      patch.loaded = true;
+      if (faces_x) patch.loaded_x = true;
+    }
+    for (const auto& load : entry.traction) {
+      patch.loaded = true;
+      if (load.component == 0) patch.loaded_x = true;
+    }
+  }
+  return patch;
+}
+
+class Needs {
+ public:
+  explicit Needs(const Scene& scene) : scene_(scene) {}
+  void operator()(bool condition, const char* what) const {
+    if (!condition)
+      throw InputError(scene_.exact_place,
+                       fmt::format("{} does not apply: it needs {}", name_of(scene_.exact), what));
+  }
+
+ private:
+  const Scene& scene_;
+};
+
+bool starts_at_rest(const Scene& scene) {
+  return scene.displacement.kind == InitialField::Kind::zero &&
+         scene.velocity.kind == InitialField::Kind::zero;
+}
+
+bool only_box_patches(const Scene& scene) {
+  return std::all_of(scene.boundaries.begin(), scene.boundaries.end(), [](const auto& entry) {
+    return entry.where == "left" || entry.where == "right" || entry.where == "top" ||
+           entry.where == "bottom";
+  });
+}
+
+void check_one_material(const Scene& scene, const Needs& needs) {
+  needs(scene.materials.size() == 1, "one material all over the body");
+  needs(std::all_of(scene.body_force.begin(), scene.body_force.end(),
+                    [](double g) { return g == 0.0; }),
+        "no gravity");
+}
+
+void check_bar_wave(const Scene& scene) {
+  const Needs needs(scene);
+  check_one_material(scene, needs);
+  needs(is_box(scene), "an interval, or a box in 2D");
+  needs(only_box_patches(scene), "conditions on left, right, top and bottom only");
+  needs(starts_at_rest(scene), "zero initial displacement and velocity");
+  const auto left = summary(scene, "left");
+  const auto right = summary(scene, "right");
+  needs(!left.moved && !right.moved, "no prescribed motion");
+  needs(left.loaded_x != right.loaded_x, "a traction on exactly one of left and right");
+  for (const auto& entry : scene.boundaries)
+    for (const auto& load : entry.traction) needs(load.component == 0, "loads along x only");
+  if (scene.dimension == 1) return;
+  for (const char* side : {"top", "bottom"}) {
+    const auto patch = summary(scene, side);
+    needs(patch.held_y && !patch.held_x && !patch.loaded && !patch.moved,
+          "symmetry on top and bottom, so that the wave is plane");
+  }
+}
+
+bool is_square_at_origin(const Scene& scene) {
+  const auto* box = box_of<2>(scene);
+  if (!box) return false;
+  const double side = box->upper.x() - box->lower.x();
+  return std::abs(box->lower.x()) <= 1e-12 * side && std::abs(box->lower.y()) <= 1e-12 * side &&
+         std::abs(box->upper.y() - box->upper.x()) <= 1e-12 * side;
+}
+
+void check_swinging_plate(const Scene& scene) {
+  const Needs needs(scene);
+  check_one_material(scene, needs);
+  needs(is_square_at_origin(scene), "a square box with its lower left corner at the origin, in 2D");
+  needs(scene.displacement.kind == InitialField::Kind::swinging_plate,
+        "initial.displacement = { field = \"swinging-plate\", amplitude = … }");
+  needs(scene.velocity.kind == InitialField::Kind::zero, "zero initial velocity");
+  needs(only_box_patches(scene), "conditions on left, right, top and bottom only");
+  for (const char* side : {"left", "right", "top", "bottom"}) {
+    const auto patch = summary(scene, side);
+    const bool hold_x = std::string(side) == "left" || std::string(side) == "top";
+    needs(!patch.loaded && !patch.moved, "no loads and no prescribed motion");
+    needs(patch.held_x == hold_x && patch.held_y != hold_x,
+          "x fixed on left and top, y fixed on bottom and right");
+  }
+}
+
+void check_uniform_stretch(const Scene& scene) {
+  const Needs needs(scene);
+  check_one_material(scene, needs);
+  needs(is_box(scene), "an interval, or a box in 2D");
+  const auto left = summary(scene, "left");
+  const auto right = summary(scene, "right");
+  needs(left.moved_x || right.moved_x, "displacement of x prescribed on left or right");
+  needs((left.moved_x || left.held_x) && (right.moved_x || right.held_x),
+        "both left and right held or moved in x");
+  for (const auto& entry : scene.boundaries)
+    needs(!entry.normal_traction && entry.traction.empty(), "no loads");
+}
+
+void check_initial(const InitialField& field, const Scene& scene) {
+  if (field.kind == InitialField::Kind::swinging_plate && !is_square_at_origin(scene))
+    throw InputError(field.place,
+                     "the swinging plate is a square box with its lower left corner at the origin");
+  if (field.kind == InitialField::Kind::cantilever_mode && !box_of<2>(scene))
+    throw InputError(field.place,
+                     "the cantilever mode is that of a box in 2D, clamped at its left");
+}
+
+}  // namespace
+
+void check_exact(const Scene& scene) {
+  check_initial(scene.displacement, scene);
+  check_initial(scene.velocity, scene);
+  switch (scene.exact) {
+    case ExactKind::none:
+      return;
+    case ExactKind::bar_wave:
+      return check_bar_wave(scene);
+    case ExactKind::swinging_plate:
+      return check_swinging_plate(scene);
+    case ExactKind::uniform_stretch:
+      return check_uniform_stretch(scene);
+  }
+}
+
+}  // namespace tlsph

@@ -1,0 +1,190 @@
+#include "schema.hpp"
+
+#include "curve_kinds.hpp"
+#include "tlsph/kernels/families.hpp"
+#include "tlsph/scene/names.hpp"
+
+namespace tlsph {
+namespace {
+
+std::string kernel_choices() {
+  std::string result;
+  for (const auto name : kernel_names()) result.append(result.empty() ? "" : " | ").append(name);
+  return result;
+}
+
+std::string curve_choices() {
+  std::string result;
+  for (const auto& kind : curve_kinds())
+    result.append(result.empty() ? "" : " | ").append(kind.name);
+  return result;
+}
+
+std::vector<Key> all_keys() {
+  const std::string optional = "(none)";
+  const std::string required;
+  return {
+      // group, name, forms, group below, unit, default, range, meaning
+      {"", "title", text, "", "", "\"\"", "", "what the run is called in its results"},
+      {"", "dimension", integer, "", "", "2", "[1, 2]", "1: a bar; 2: a sheet of unit thickness"},
+      {"", "formulation", text, "", "", "\"stress-point\"", choices<Formulation>(),
+       "which gradient and divergence matrices: thesis (SPH sums, ghosts, modified SPH matrix), "
+       "mirror (SPH sums, ghosts folded into the matrices), variational (corrected gradient, "
+       "adjoint "
+       "divergence), stress-point (gradient at cell centres, adjoint divergence)"},
+      {"", "boundary_treatment", text, "", "", "\"consistent\"", choices<GhostTreatment>(),
+       "thesis only: the modified SPH matrix with the coupling to the interior, as printed without "
+       "it, or the eta corrections (1D)"},
+      {"", "boundary_solver", text, "", "", "\"auto\"", choices<BoundarySolver>(),
+       "thesis only: factorisation of the modified SPH matrix; auto tries cholmod, then umfpack"},
+      {"", "gravity", numbers, "", "m/s^2", optional, "",
+       "acceleration of the whole body, one number per dimension"},
+      {"", "body", table, "body", "", required, "", "what is modelled"},
+      {"", "kernel", table, "kernel", "", optional, "", "what weights the neighbours"},
+      {"", "stabiliser", table, "stabiliser", "", optional, "", "what holds zero-energy modes"},
+      {"", "material", table, "material", "", required, "", "what the body is made of"},
+      {"", "boundary", tables, "boundary", "", optional, "",
+       "one entry per condition; patches without one are free"},
+      {"", "time", table, "time", "", required, "", "how long and in which steps"},
+      {"", "probe", tables, "probe", "", optional, "", "points whose history goes to probes.csv"},
+      {"", "reference", table, "reference", "", optional, "", "what the result is compared with"},
+      {"", "initial", table, "initial", "", optional, "", "the state at t = 0"},
+      {"", "output", table, "output", "", optional, "", "what is written, and how often"},
+
+      {"body", "shape", table, "shape", "m", required, "",
+       "an interval in 1D; a box, disc, polygon or difference of them in 2D"},
+      {"body", "spacing", number, "", "m", required, "> 0",
+       "distance of neighbouring nodes, taken to the nearest division of the body; a change of "
+       "more "
+       "than 1 % is refused"},
+      {"body", "placement", text, "", "", "\"on-boundary\"", choices<Placement>(),
+       "nodes on the boundary (with half and quarter volumes), or at the centres of the cells"},
+      {"body", "jitter", number, "", "spacings", "0", "[0, 0.4]",
+       "largest random shift of interior nodes"},
+      {"body", "seed", integer, "", "", "1", ">= 0", "of the random shifts"},
+      {"body", "tags", tables, "tag", "", optional, "",
+       "names for groups of nodes, beside left, right, top, bottom, outer and hole"},
+
+      {"shape", "interval", numbers, "", "m", optional, "", "1D: [from, to]"},
+      {"shape", "box", points, "", "m", optional, "",
+       "[[x0, y0], [x1, y1]]: lower left, upper right"},
+      {"shape", "disc", table, "disc", "m", optional, "", "a full circle"},
+      {"shape", "polygon", points, "", "m", optional, "", "[[x, y], …]: corners in order"},
+      {"shape", "difference", tables, "shape", "", optional, "",
+       "[shape, hole, …]: the first without the others"},
+
+      {"disc", "centre", numbers, "", "m", required, "", "[x, y]"},
+      {"disc", "radius", number, "", "m", required, "> 0", ""},
+
+      {"tag", "name", text, "", "", required, "", "what [[boundary]] where calls these nodes"},
+      {"tag", "box", points | numbers, "", "m", required, "",
+       "[[x0, y0], [x1, y1]], in 1D [from, to]: the nodes meant"},
+
+      {"kernel", "family", text, "", "", "(wendland-c2; thesis and mirror: modified-mollifier)",
+       kernel_choices(), "shape of the kernel"},
+      {"kernel", "support", number, "", "spacings", "(2.5; stress-point: the nodes of each cell)",
+       ">= 1", "full radius of the kernel"},
+      {"kernel", "correction", text, "", "", "(gradient; thesis and mirror: none)",
+       choices<GradientCorrection>(),
+       "gradients of collocated nodes: exact for linear fields, kernel and gradient mixed, or "
+       "plain"},
+
+      {"stabiliser", "kind", text, "", "",
+       "(2D: cell for stress-point on its cells, pair for variational; else none)",
+       choices<StabiliserKind>(),
+       "pair: error of linear extrapolation between neighbours; cell: hourglass mode of a cell"},
+      {"stabiliser", "coefficient", number | text, "", "", "\"auto\"", "auto | >= 0",
+       "strength, as a share of the elastic one; auto: the value recommended for the kind"},
+      {"stabiliser", "as", text, "", "", "\"stiffness\"", choices<StabiliserAction>(),
+       "acts on displacements (conserves energy) or on velocities (dissipates)"},
+
+      {"material", "law", text, "", "", "\"neo-hookean\"", choices<LawKind>(),
+       "stress from strain"},
+      {"material", "assumption", text, "", "", "\"strain\"", choices<AssumptionKind>(),
+       "of the dimensions left out: no strain (1D strain, plane strain) or no stress"},
+      {"material", "young", number, "", "Pa", required, "> 0", "Young's modulus E"},
+      {"material", "poisson", number, "", "", required, "(-1, 0.5)", "Poisson's ratio"},
+      {"material", "density", number, "", "kg/m^3", required, "> 0", "in the reference state"},
+      {"material", "region", tables, "region", "", optional, "",
+       "parts of another material, [[material.region]]; of overlapping ones the last counts"},
+
+      {"region", "box", points | numbers, "", "m", required, "",
+       "[[x0, y0], [x1, y1]], in 1D [from, to]: the part"},
+      {"region", "law", text, "", "", "(of [material])", choices<LawKind>(), "stress from strain"},
+      {"region", "young", number, "", "Pa", "(of [material])", "> 0", "Young's modulus E"},
+      {"region", "poisson", number, "", "", "(of [material])", "(-1, 0.5)", "Poisson's ratio"},
+      {"region", "density", number, "", "kg/m^3", "(of [material])", "> 0", "reference density"},
+
+      {"boundary", "where", text, "", "", required, "",
+       "a patch: left, right, top, bottom, outer, hole or the name of a tag"},
+      {"boundary", "fixed", flag | text | texts, "", "", optional, "x | y",
+       "held at zero displacement: true, or the components held"},
+      {"boundary", "symmetry", flag, "", "", "false", "",
+       "the displacement normal to the (straight) patch is zero"},
+      {"boundary", "displacement", table, "motion", "m", optional, "", "prescribed motion"},
+      {"boundary", "traction", number | numbers | table, "curve", "Pa", optional, "",
+       "load per reference area: a number or curve is normal, tension positive; a list, or a curve "
+       "with a list as amplitude, is a vector"},
+
+      {"motion", "x", number | table, "curve", "m", optional, "", "displacement in x"},
+      {"motion", "y", number | table, "curve", "m", optional, "", "displacement in y"},
+
+      {"curve", "curve", text, "", "", required, curve_choices(),
+       "value over time, zero before t = 0; pulse: A/2 [erf((t-3r)/r) - erf((t-3r-T)/r)], r the "
+       "rise, T the duration"},
+      {"curve", "amplitude", number | numbers, "", "", "(of a table: 1)", "",
+       "largest value, in the unit of what the curve drives; of a table: a factor"},
+      {"curve", "rise", number, "", "s", optional, "> 0", "ramp, smooth-ramp, pulse: time of rise"},
+      {"curve", "duration", number, "", "s", optional, "> 0", "pulse, sine-squared: length"},
+      {"curve", "time", numbers, "", "s", optional, "", "table: instants, increasing"},
+      {"curve", "value", numbers, "", "", optional, "", "table: the values then"},
+
+      {"time", "end", number, "", "s", required, "> 0", "the last step lands on it"},
+      {"time", "safety", number, "", "", "0.9", "(0, 1]", "share of the computed critical step"},
+      {"time", "step", number, "", "s", "(safety x critical step)", "> 0", "instead of safety"},
+
+      {"probe", "name", text, "", "", "(p1, p2, …)", "", "its columns are name.quantity"},
+      {"probe", "at", numbers, "", "m", required, "", "reference position, inside the body"},
+      {"probe", "record", texts, "", "", "[\"displacement\"]", choices<Quantity>(),
+       "what to record"},
+
+      {"reference", "exact", text, "", "", "\"none\"", choices<ExactKind>(),
+       "an exact solution: errors go to summary.json"},
+
+      {"initial", "displacement", text | table, "field", "m", "\"zero\"", "zero", "at t = 0"},
+      {"initial", "velocity", text | table, "field", "m/s", "\"zero\"", "zero", "at t = 0"},
+
+      {"field", "constant", numbers, "", "m or m/s", optional, "", "the same everywhere"},
+      {"field", "gradient", points, "", "1 or 1/s", optional, "",
+       "[[xx, xy], [yx, yy]]: gradient times position is added"},
+      {"field", "field", text, "", "", optional, choices<InitialField::Kind>(),
+       "a named field: of the swinging plate, or the first bending mode of a beam clamped at left"},
+      {"field", "amplitude", number, "", "m or m/s", optional, "",
+       "of the named field: its largest component, at the tip of the beam"},
+
+      {"output", "frames", integer, "", "", "50", ">= 0", "full fields after the initial one"},
+      {"output", "fields", texts, "", "", "[\"displacement\", \"velocity\", \"pk1\"]",
+       choices<Quantity>(), "what a frame holds"},
+      {"output", "probe_every", integer, "", "steps", "1", ">= 1", "between rows of probes.csv"},
+      {"output", "energy_every", integer, "", "steps", "0", ">= 0",
+       "between rows of the energy ledger; 0: about 200 rows"},
+      {"output", "checkpoint", number, "", "s", "60", "> 0", "wall time between checkpoints"},
+      {"output", "checkpoint_steps", integer, "", "steps", "0", ">= 0",
+       "steps between checkpoints; 0: by wall time only"},
+  };
+}
+
+}  // namespace
+
+const std::vector<Key>& schema() {
+  static const std::vector<Key> keys = all_keys();
+  return keys;
+}
+
+const Key* find_key(std::string_view group, std::string_view name) {
+  for (const Key& key : schema())
+    if (key.group == group && key.name == name) return &key;
+  return nullptr;
+}
+
+}  // namespace tlsph
