@@ -166,8 +166,9 @@ def closed(out, base, kernel, support):
     layout = arithmetic(base, kernel)
     W = op.kernel_matrix(layout, KERNELS[kernel], suit(layout, support))
     for correction, coupled in (("consistent", True), ("as-printed", False)):
+        modified = op.modified_kernel_matrix(W, 2, coupled)
         says = "rows of W for boundary and ghosts" + ("" if coupled else ", coupling to the inner nodes dropped")
-        out.add(base, op.modified_kernel_matrix(W, 2, coupled), "W_modified", "thesis", correction, kernel, support, says)
+        out.add(base, modified, "W_modified", "thesis", correction, kernel, support, says)
 
 
 def collection():
