@@ -25,7 +25,9 @@ class LinearElastic {
   }
 
   [[nodiscard]] Tensor<D> pk1(const Tensor<D>& H) const {
-    return lambda_ * H.trace() * Tensor<D>::Identity() + mu_ * (H + H.transpose());
+    Tensor<D> P = mu_ * (H + H.transpose());
+    P.diagonal().array() += lambda_ * H.trace();
+    return P;
   }
 
   [[nodiscard]] Tensor<D> dpk1(const Tensor<D>&, const Tensor<D>& dH) const { return pk1(dH); }

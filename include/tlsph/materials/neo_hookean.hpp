@@ -36,13 +36,22 @@ class NeoHookean {
     return mu_ * (shear + free_directions * transverse) + 0.5 * volume.pressure * volume.log;
   }
 
-  /// μ (F − F⁻ᵀ) = μ (e F + F − cof F)/J; one logarithm and one division in strain.
+  /// μ (F − F⁻ᵀ) = μ (e F + F − cof F)/J; one logarithm and one division in strain. Component by
+  /// component, because this is the innermost loop: fixed-size matrix expressions go through memory
+  /// here and take twice as long.
   [[nodiscard]] Tensor<D> pk1(const Tensor<D>& H) const {
     const double e = volume_change<D>(H);
+    const double inverse = 1 / (1 + e);
     const double pressure = volume_at(log_volume(e)).pressure;
-    const Tensor<D> F = deformation_gradient<D>(H);
-    return (mu_ * (e * F + deformation_minus_cofactor<D>(H)) + pressure * cofactor<D>(F)) *
-           (1 / (1 + e));
+    const Tensor<D> symmetric = deformation_minus_cofactor<D>(H);
+    Tensor<D> P;
+    for (int i = 0; i < D; ++i)
+      for (int a = 0; a < D; ++a) {
+        const double F = H(i, a) + (i == a ? 1.0 : 0.0);
+        const double cof = F - symmetric(i, a);
+        P(i, a) = (mu_ * (e * F + symmetric(i, a)) + pressure * cof) * inverse;
+      }
+    return P;
   }
 
   /// dP = μ dH + (μ − p) F⁻ᵀ dHᵀ F⁻ᵀ + p' (F⁻ᵀ : dH) F⁻ᵀ, p = λ ln J and p' its derivative to ln J
