@@ -14,8 +14,8 @@ struct ConstantCurve {
   double amplitude = 0.0;
 };
 
-/// From 0 at t = 0 linearly to amplitude at t = rise, constant afterwards. `smooth` replaces the line
-/// by the C² quintic 10s³ − 15s⁴ + 6s⁵.
+/// From 0 at t = 0 linearly to amplitude at t = rise, constant afterwards. `smooth` replaces the
+/// line by the C² quintic 10s³ − 15s⁴ + 6s⁵. A rise of 0 is a step.
 struct RampCurve {
   double amplitude = 0.0;
   double rise = 0.0;
@@ -23,6 +23,8 @@ struct RampCurve {
 };
 
 /// The smoothed square pulse A/2 [erf((t − 3r)/r) − erf((t − 3r − T)/r)], r = rise, T = duration.
+/// It starts with a step of A erfc(3)/2 = 1.1e-5 A at t = 0. A rise of 0 is the square pulse on [0,
+/// T).
 struct PulseCurve {
   double amplitude = 0.0;
   double duration = 0.0;
@@ -36,6 +38,7 @@ struct SineSquaredCurve {
 };
 
 /// Piecewise linear through (time, value), constant before the first and after the last entry.
+/// Times do not decrease; two entries at one time are a jump. As many values as times.
 struct TableCurve {
   std::vector<double> time;
   std::vector<double> value;
