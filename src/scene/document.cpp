@@ -86,17 +86,22 @@ std::size_t utf8_length(std::string_view text, std::size_t i) {
   return 0;
 }
 
-void require_text(const std::string& text, const std::string& name) {
+/// InputError at the first byte that is no text; in an override (`lines` false) without its
+/// position.
+void require_text(const std::string& text, const std::string& name, bool lines) {
+  const auto place = [&](int line, int column) {
+    return lines ? Place{name, line, column, ""} : Place{name, 0, 0, ""};
+  };
   int line = 1;
   int column = 1;
   for (std::size_t i = 0; i < text.size();) {
     if (text[i] == '\0')
-      throw InputError(Place{name, line, column, ""},
+      throw InputError(place(line, column),
                        "a binary file, not a scene; a scene is TOML text in UTF-8");
     const std::size_t length = utf8_length(text, i);
     if (length == 0)
       throw InputError(
-          Place{name, line, column, ""},
+          place(line, column),
           fmt::format("byte 0x{:02x} is not UTF-8; a scene is TOML text, save it as UTF-8",
                       static_cast<unsigned char>(text[i])));
     if (text[i] == '\n') {
@@ -171,7 +176,7 @@ std::string join_path(const std::string& path, const std::string& name) {
 }
 
 Node parse_document(const std::string& text, const std::string& name) {
-  require_text(text, name);
+  require_text(text, name, true);
   try {
     const toml::table table = toml::parse(text, name);
     return Node{convert_table(table, Origin{name, std::nullopt}, ""), Place{name, 1, 1, ""}, ""};
@@ -184,7 +189,7 @@ Node parse_document(const std::string& text, const std::string& name) {
 
 std::optional<Node> parse_value(const std::string& text, const Place& place,
                                 const std::string& path) {
-  require_text(text, place.file);
+  require_text(text, place.file, false);
   try {
     const toml::table table = toml::parse("value = " + text + "\n");
     // A line break in the text could smuggle in more entries: then it is no single value.
