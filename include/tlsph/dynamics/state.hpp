@@ -1,0 +1,53 @@
+#pragma once
+/// \file
+/// What changes during a run. Position and half-step velocity are the state proper; the rest is
+/// recomputed from them, so that a run goes on bit-identically from {step, time, u, v}.
+
+#include <vector>
+
+#include "tlsph/dynamics/discretisation.hpp"
+
+namespace tlsph {
+
+template <int D>
+struct State {
+  long step = 0;
+  double time = 0.0;       ///< t_n [s]
+  double last_dt = 0.0;    ///< t_n − t_{n−1} [s]; equal to the coming step at n = 0
+  VectorField<D> u;        ///< displacement at t_n [m]
+  VectorField<D> v;        ///< velocity at t_{n−½} [m/s]
+
+  TensorField<D> H;        ///< displacement gradient at t_n
+  TensorField<D> P;        ///< first Piola–Kirchhoff stress at t_n [Pa]
+  VectorField<D> f;        ///< total force at t_n, reactions excluded [N per thickness]
+  VectorField<D> viscous;  ///< C v, empty without viscosity
+  std::vector<double> signals;
+  typename GhostGradient<D>::Workspace ghosts;
+};
+
+/// The state at t = 0 with u and v(0) given; v is set to v_{−½} = v(0) − ½ Δt a(0) by `start`.
+template <int D>
+[[nodiscard]] State<D> make_state(const Discretisation<D>& discretisation, VectorField<D> u,
+                                  VectorField<D> v);
+
+/// H, P and f at the state's u, v and time. Throws NumericalError, naming time and material point, when
+/// det F ≤ 0 or a stress is not finite. Takes nothing from the heap.
+template <int D>
+void evaluate(const Discretisation<D>& discretisation, State<D>& state);
+
+/// v_{n+½} [m/s] of one degree of freedom if the coming step is `dt`; at a moved one, what takes it to
+/// its prescribed place at t_n + dt.
+template <int D>
+[[nodiscard]] double next_velocity(const Discretisation<D>& discretisation, const State<D>& state,
+                                   double dt, Index dof);
+
+/// Turns v(0), as `make_state` left it, into v_{−½}. Needs `evaluate` before.
+template <int D>
+void start(const Discretisation<D>& discretisation, State<D>& state, double dt);
+
+/// One step of the central difference: v_{n+½} = v_{n−½} + Δt a_n, u_{n+1} = u_n + Δt v_{n+½}. Needs
+/// `evaluate` before; leaves H, P and f behind at t_n.
+template <int D>
+void advance(const Discretisation<D>& discretisation, State<D>& state, double dt);
+
+}  // namespace tlsph

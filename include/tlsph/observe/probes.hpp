@@ -1,0 +1,57 @@
+#pragma once
+/// \file
+/// Histories at points of the body: what an instrument glued to a reference position would record.
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tlsph/dynamics/state.hpp"
+#include "tlsph/particles/interpolation.hpp"
+
+namespace tlsph {
+
+/// What a scene asks for: quantities by their stems (`displacement`, `velocity`, `acceleration`,
+/// `deformation_gradient`, `pk1`, `cauchy`, `pressure`, `von_mises`).
+template <int D>
+struct ProbeRequest {
+  std::string name;
+  Vector<D> at;  ///< reference position [m]
+  std::vector<std::string> quantities;
+};
+
+/// Evaluates probes by rows fixed at construction: the particle at the position if there is one, else a
+/// first-order consistent interpolation (nodes for motion, material points for strain and stress).
+template <int D>
+class Probes {
+ public:
+  Probes(const Discretisation<D>& discretisation, const std::vector<ProbeRequest<D>>& requests);
+
+  /// `<probe>.<quantity>_<component>` for every value, in the order of `sample`.
+  [[nodiscard]] const std::vector<std::string>& columns() const { return columns_; }
+  /// Values at t_n; velocities at the same time as displacements. `dt` is the coming step. `row` has
+  /// one entry a column. Needs `evaluate` before; takes nothing from the heap.
+  void sample(const Discretisation<D>& discretisation, const State<D>& state, double dt,
+              std::span<double> row) const;
+
+ private:
+  enum class Kind {
+    displacement,
+    velocity,
+    acceleration,
+    deformation_gradient,
+    pk1,
+    cauchy,
+    pressure,
+    von_mises
+  };
+  struct Probe {
+    InterpolationRow nodes, points;
+    std::size_t region = 0;
+    std::vector<Kind> kinds;
+  };
+  std::vector<Probe> probes_;
+  std::vector<std::string> columns_;
+};
+
+}  // namespace tlsph

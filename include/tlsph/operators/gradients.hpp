@@ -1,0 +1,52 @@
+#pragma once
+/// \file
+/// The gradients of the formulations, as sparse matrices of the reference configuration.
+///
+/// Plain SPH sums (thesis section 2.6), V_q the volume [m^d] of node q:
+///
+///     W_pq = V_q W(|X_p − X_q|)          ⟨f⟩  = W f
+///     X^a_pq = V_q ∂W/∂X_a (X_p − X_q)   ⟨∂f/∂X_a⟩ = X^a f
+///
+/// Corrected gradients are exact for linear fields: Σ_q G_pq = 0, Σ_q G^a_pq X^b_q = δ_ab (seed 003).
+
+#include "tlsph/kernels/families.hpp"
+#include "tlsph/operators/vector_operator.hpp"
+#include "tlsph/particles/particles.hpp"
+
+namespace tlsph {
+
+/// Correction of a collocated gradient, Bonet & Lok (seed 003): `none` is the difference form (40),
+/// `gradient` (42)–(45), `mixed` (54)–(58).
+enum class Correction { none, gradient, mixed };
+
+/// Kernel matrix W (N×N) and plain gradient X at the nodes `X` (N×d) with volumes `V`; `h` is the full
+/// support radius [m].
+template <int D>
+[[nodiscard]] SparseMatrix kernel_matrix(const AnyKernel& kernel, double h, const VectorField<D>& X,
+                                         const ScalarField& V);
+template <int D>
+[[nodiscard]] VectorOperator<D> plain_gradient(const AnyKernel& kernel, double h,
+                                               const VectorField<D>& X, const ScalarField& V);
+
+/// Collocated gradient with one of the corrections. InputError where a node has too few neighbours
+/// for a linear fit.
+template <int D>
+[[nodiscard]] VectorOperator<D> collocated_gradient(const AnyKernel& kernel, double h,
+                                                    const VectorField<D>& X, const ScalarField& V,
+                                                    Correction correction);
+
+/// Gradient at material points from the corners of their cell: the mean gradient over the cell,
+/// G^a_sq = ½ (corner-difference vector)_a / area, which is exact for linear fields **and** whose
+/// adjoint satisfies the divergence theorem exactly on any quadrilateral (Flanagan & Belytschko 1981).
+template <int D>
+[[nodiscard]] VectorOperator<D> cell_gradient(const Particles<D>& particles,
+                                              const MaterialPoints<D>& points);
+
+/// Gradient at material points by a linear moving-least-squares fit over all nodes within `h` [m].
+/// InputError where a point has too few.
+template <int D>
+[[nodiscard]] VectorOperator<D> point_gradient(const AnyKernel& kernel, double h,
+                                               const VectorField<D>& points,
+                                               const VectorField<D>& X, const ScalarField& V);
+
+}  // namespace tlsph

@@ -1,0 +1,43 @@
+#include "tlsph/boundary/conditions.hpp"
+
+#include <map>
+
+namespace tlsph {
+namespace {
+
+Load load_from(const std::map<Index, double>& weights, const Curve& curve) {
+  Load load;
+  load.curve = curve;
+  for (const auto& [dof, weight] : weights) {
+    if (weight == 0.0) continue;
+    load.dof.push_back(dof);
+    load.weight.push_back(weight);
+  }
+  return load;
+}
+
+}  // namespace
+
+template <int D>
+Load normal_traction(const Patch<D>& patch, const Curve& curve) {
+  std::map<Index, double> weights;
+  for (const Face<D>& face : patch.faces)
+    for (const int node : face.nodes)
+      for (int i = 0; i < D; ++i) weights[Index{node} * D + i] += face.area[i] / D;
+  return load_from(weights, curve);
+}
+
+template <int D>
+Load component_traction(const Patch<D>& patch, int component, const Curve& curve) {
+  std::map<Index, double> weights;
+  for (const Face<D>& face : patch.faces)
+    for (const int node : face.nodes) weights[Index{node} * D + component] += face.area.norm() / D;
+  return load_from(weights, curve);
+}
+
+template Load normal_traction<1>(const Patch<1>&, const Curve&);
+template Load normal_traction<2>(const Patch<2>&, const Curve&);
+template Load component_traction<1>(const Patch<1>&, int, const Curve&);
+template Load component_traction<2>(const Patch<2>&, int, const Curve&);
+
+}  // namespace tlsph

@@ -1,0 +1,398 @@
+#include "tlsph/boundary/ghosts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "tlsph/core/error.hpp"
+#include "tlsph/operators/products.hpp"
+
+namespace tlsph {
+namespace {
+
+/// One modified SPH matrix: the values on boundary and ghosts that make W f take the target there.
+struct System {
+  std::string name;
+  int slot = 0;                      ///< column of the field it closes
+  std::vector<int> nodes;            ///< boundary and ghost nodes
+  std::vector<std::size_t> target;   ///< signal at each
+  SparseMatrix coupling;             ///< W_(BG)I, zero on the nodes themselves; 0×0 as printed
+  SymmetricOrGeneral factor;
+};
+
+/// A ghost of one displacement component that is an image of a real node.
+struct Extended {
+  int ghost = 0;
+  int component = 0;
+  Image image;
+};
+
+/// The η correction of one edge (1D): ghosts' share of W (or X) at the edge node.
+struct Eta {
+  int edge_node = 0;
+  bool dirichlet = true;
+  std::size_t target = no_signal;
+  std::vector<int> ghosts;
+  std::vector<double> shape;  ///< W(x_b − x_q), the form of the correction
+  double denominator = 0.0;   ///< D of (2.42) or N of (2.45) over the ghosts
+};
+
+template <int D>
+VectorOperator<D> lattice_gradient(const LatticeStencil<D>& stencil,
+                                   const GhostLattice<D>& lattice);
+template <int D>
+bool inside(const GhostLattice<D>& lattice, const std::array<int, D>& at) {
+  for (std::size_t a = 0; a < D; ++a)
+    if (at[a] < -lattice.layers || at[a] >= lattice.frame.counts[a] - lattice.layers) return false;
+  return true;
+}
+
+/// Visits the neighbours of a lattice node that exist: visit(neighbour, index in the stencil).
+template <int D, class Visit>
+void for_stencil(const LatticeStencil<D>& stencil, const GhostLattice<D>& lattice, Index p,
+                 const Visit& visit) {
+  for (std::size_t k = 0; k < stencil.offset.size(); ++k) {
+    auto at = lattice.coordinates[static_cast<std::size_t>(p)];
+    for (std::size_t a = 0; a < D; ++a) at[a] += stencil.offset[k][a];
+    if (inside<D>(lattice, at)) visit(lattice.node(at), k);
+  }
+}
+
+template <int D>
+SparseMatrix lattice_kernel(const LatticeStencil<D>& stencil, const GhostLattice<D>& lattice) {
+  std::vector<Eigen::Triplet<double>> entries;
+  const Index N = lattice.X.rows();
+  for (Index p = 0; p < N; ++p)
+    for_stencil<D>(stencil, lattice, p, [&](int q, std::size_t k) {
+      entries.emplace_back(static_cast<int>(p), q, stencil.value[k]);
+    });
+  SparseMatrix W(N, N);
+  W.setFromTriplets(entries.begin(), entries.end());
+  return W;
+}
+
+template <int D>
+VectorOperator<D> lattice_gradient(const LatticeStencil<D>& stencil,
+                                   const GhostLattice<D>& lattice) {
+  const Index N = lattice.X.rows();
+  std::array<std::vector<Eigen::Triplet<double>>, D> entries;
+  for (Index p = 0; p < N; ++p)
+    for_stencil<D>(stencil, lattice, p, [&](int q, std::size_t k) {
+      for (std::size_t a = 0; a < D; ++a)
+        entries[a].emplace_back(static_cast<int>(p), q, stencil.gradient[k][static_cast<Index>(a)]);
+    });
+  std::array<SparseMatrix, D> X;
+  for (std::size_t a = 0; a < D; ++a) {
+    X[a].resize(N, N);
+    X[a].setFromTriplets(entries[a].begin(), entries[a].end());
+  }
+  return VectorOperator<D>(X);
+}
+
+/// The edges a node lies on or beyond: calls visit(edge, direction).
+template <int D, class Visit>
+void for_edges(const Edges<D>& edges, const LatticeFrame<D>& real, const std::array<int, D>& at,
+               const Visit& visit) {
+  for (std::size_t b = 0; b < D; ++b) {
+    if (at[b] <= 0) visit(edges[b][0], static_cast<int>(b));
+    if (at[b] >= real.counts[b] - 1) visit(edges[b][1], static_cast<int>(b));
+  }
+}
+
+SparseMatrix block(const SparseMatrix& W, const std::vector<int>& rows,
+                   const std::vector<int>& place, bool inner) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    for (SparseMatrix::InnerIterator it(W, rows[r]); it; ++it) {
+      const int column = place[static_cast<std::size_t>(it.col())];
+      if (inner && column >= 0) entries.emplace_back(static_cast<int>(r), column, it.value());
+      if (!inner && column < 0)
+        entries.emplace_back(static_cast<int>(r), static_cast<int>(it.col()), it.value());
+    }
+  const auto n = static_cast<Index>(rows.size());
+  SparseMatrix result(n, inner ? n : W.cols());
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+}  // namespace
+
+template <int D>
+struct GhostGradient<D>::Impl {
+  GhostLattice<D> lattice;
+  LatticeFrame<D> real;
+  GhostClosure closure;
+  SparseMatrix W;
+  VectorOperator<D> X;
+  std::vector<Extended> extended;
+  std::vector<System> displacement;  ///< slot = component
+  std::vector<System> strain;        ///< slot = component of the gradient
+  std::vector<Eta> etas;
+
+  Impl(const LatticeStencil<D>& stencil, const Particles<D>& particles, GhostClosure how)
+      : lattice(ghost_layers<D>(particles, 2 * stencil.reach)),
+        real(*particles.frame),
+        closure(how),
+        W(lattice_kernel<D>(stencil, lattice)),
+        X(lattice_gradient<D>(stencil, lattice)) {}
+
+  void add_system(std::vector<System>& systems, const std::string& name, int slot,
+                  std::vector<int> nodes, std::vector<std::size_t> target, SolverChoice solver,
+                  const Place& place) {
+    if (nodes.empty()) return;
+    std::vector<int> position(static_cast<std::size_t>(W.rows()), -1);
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+      position[static_cast<std::size_t>(nodes[k])] = static_cast<int>(k);
+    SymmetricOrGeneral factor(block(W, nodes, position, true), solver, place);
+    SparseMatrix coupling;
+    if (closure == GhostClosure::consistent) coupling = block(W, nodes, position, false);
+    systems.push_back({name, slot, std::move(nodes), std::move(target), std::move(coupling),
+                       std::move(factor)});
+  }
+
+  void close_displacements(const Edges<D>& edges, SolverChoice solver, const Place& place) {
+    for (int i = 0; i < D; ++i) {
+      std::vector<int> nodes;
+      std::vector<std::size_t> target;
+      for (Index p = 0; p < lattice.X.rows(); ++p) {
+        const auto& at = lattice.coordinates[static_cast<std::size_t>(p)];
+        bool prescribed = false;
+        std::size_t signal = no_signal;
+        for_edges<D>(edges, real, at, [&](const Edge<D>& edge, int) {
+          if (!edge.prescribed[static_cast<std::size_t>(i)]) return;
+          prescribed = true;
+          signal = edge.displacement[static_cast<std::size_t>(i)];
+        });
+        if (prescribed) {
+          nodes.push_back(static_cast<int>(p));
+          target.push_back(signal);
+        } else if (p >= lattice.real) {
+          extended.push_back({static_cast<int>(p), i, displacement_image<D>(real, edges, at, i)});
+        }
+      }
+      add_system(displacement, fmt::format("u_{}", "xyz"[i]), i, nodes, target, solver, place);
+    }
+  }
+
+  void close_strains(const Edges<D>& edges, SolverChoice solver, const Place& place) {
+    for (int i = 0; i < D; ++i)
+      for (int a = 0; a < D; ++a) {
+        std::vector<int> nodes;
+        std::vector<std::size_t> target;
+        for (Index p = 0; p < lattice.X.rows(); ++p) {
+          bool natural = false;
+          std::size_t signal = no_signal;
+          for_edges<D>(edges, real, lattice.coordinates[static_cast<std::size_t>(p)],
+                       [&](const Edge<D>& edge, int b) {
+                         if (b != a || edge.prescribed[static_cast<std::size_t>(i)]) return;
+                         natural = true;
+                         if (i == b) signal = edge.gradient;
+                       });
+          if (!natural) continue;
+          nodes.push_back(static_cast<int>(p));
+          target.push_back(signal);
+        }
+        add_system(strain, fmt::format("du_{}/dX_{}", "xyz"[i], "xyz"[a]), i * D + a, nodes, target,
+                   solver, place);
+      }
+  }
+
+  void close_by_eta(const Edges<D>& edges) {
+    for (int side = 0; side < 2; ++side) {
+      const Edge<D>& edge = edges[0][static_cast<std::size_t>(side)];
+      Eta eta;
+      eta.edge_node = side == 0 ? 0 : real.counts[0] - 1;
+      eta.dirichlet = edge.prescribed[0];
+      eta.target = eta.dirichlet ? edge.displacement[0] : edge.gradient;
+      const SparseMatrix derivative = X.matrix(0);
+      for (SparseMatrix::InnerIterator it(W, eta.edge_node); it; ++it) {
+        if (it.col() < lattice.real) continue;
+        eta.ghosts.push_back(static_cast<int>(it.col()));
+        eta.shape.push_back(it.value());
+        const double weight =
+            eta.dirichlet ? it.value() : derivative.coeff(eta.edge_node, it.col());
+        eta.denominator += weight * it.value();
+      }
+      etas.push_back(std::move(eta));
+    }
+  }
+
+  /// Values on the nodes of a system such that W times the field hits its targets there.
+  static void solve(const System& system, const std::vector<double>& signals, double* field,
+                    Index stride, Workspace& work, SolveWorkspace& scratch) {
+    const auto n = static_cast<Index>(system.nodes.size());
+    for (Index k = 0; k < n; ++k) {
+      const std::size_t signal = system.target[static_cast<std::size_t>(k)];
+      work.rhs[k] = signal == no_signal ? 0.0 : signals[signal];
+    }
+    const SparseMatrix& C = system.coupling;
+    for (Index k = 0; k < C.rows(); ++k)
+      for (SparseMatrix::InnerIterator it(C, k); it; ++it)
+        work.rhs[k] -= it.value() * field[it.col() * stride + system.slot];
+    system.factor.solve_into(work.rhs.data(), work.solution.data(), scratch);
+    for (Index k = 0; k < n; ++k)
+      field[system.nodes[static_cast<std::size_t>(k)] * stride + system.slot] = work.solution[k];
+  }
+
+  void set_targets(const System& system, const std::vector<double>& signals, double* field,
+                   Index stride) const {
+    for (std::size_t k = 0; k < system.nodes.size(); ++k)
+      field[system.nodes[k] * stride + system.slot] =
+          system.target[k] == no_signal ? 0.0 : signals[system.target[k]];
+  }
+
+  /// Ghosts carry the value of their edge, corrected by η W in the ghosts ("set G", Algorithm 4.1).
+  void apply_eta(const std::vector<double>& signals, Workspace& work) const {
+    for (Index p = lattice.real; p < lattice.X.rows(); ++p) {
+      const bool lower = lattice.coordinates[static_cast<std::size_t>(p)][0] < 0;
+      work.u(p, 0) = work.u(lower ? 0 : real.counts[0] - 1, 0);
+    }
+    for (const Eta& eta : etas) {
+      const double target = eta.target == no_signal ? 0.0 : signals[eta.target];
+      double now = 0.0;
+      if (eta.dirichlet) {
+        for (SparseMatrix::InnerIterator it(W, eta.edge_node); it; ++it)
+          now += it.value() * work.u(it.col(), 0);
+      } else {
+        const auto row = static_cast<std::size_t>(eta.edge_node);
+        for (Index k = X.pattern().start[row]; k < X.pattern().start[row + 1]; ++k)
+          now += X.weight(k, 0) * work.u(X.pattern().column[static_cast<std::size_t>(k)], 0);
+      }
+      const double factor = (target - now) / eta.denominator;
+      for (std::size_t k = 0; k < eta.ghosts.size(); ++k)
+        work.u(eta.ghosts[k], 0) += factor * eta.shape[k];
+    }
+  }
+};
+
+template <int D>
+GhostGradient<D>::GhostGradient(const LatticeStencil<D>& stencil, const Particles<D>& particles,
+                                const Edges<D>& edges, GhostClosure closure, SolverChoice solver,
+                                const Place& solver_place) {
+  if (!particles.frame)
+    throw InputError(
+        "formulation: \"thesis\" needs an undisturbed interval or box of particles; use "
+        "\"variational\" or \"stress-point\" for other bodies");
+  for (const int count : particles.frame->counts)
+    if (count - 1 < 2 * stencil.reach)
+      throw InputError(fmt::format(
+          "kernel.support: the ghosts reach {} particles, but the body is only {} cells thick; choose "
+          "a smaller support or spacing",
+          2 * stencil.reach, count - 1));
+  if (closure == GhostClosure::eta && D != 1)
+    throw InputError("boundary_treatment: \"eta\" exists in 1D only; use \"consistent\"");
+  impl_ = std::make_unique<Impl>(stencil, particles, closure);
+  if (closure == GhostClosure::eta) {
+    impl_->close_by_eta(edges);
+  } else {
+    impl_->close_displacements(edges, solver, solver_place);
+    impl_->close_strains(edges, solver, solver_place);
+  }
+}
+
+template <int D>
+GhostGradient<D>::~GhostGradient() = default;
+
+template <int D>
+typename GhostGradient<D>::Workspace GhostGradient<D>::workspace() const {
+  Workspace work;
+  const Index N = impl_->lattice.X.rows();
+  work.u = VectorField<D>::Zero(N, D);
+  work.smooth = VectorField<D>::Zero(N, D);
+  work.strain = TensorField<D>::Zero(N, D * D);
+  Index largest = 0;
+  for (const auto* systems : {&impl_->displacement, &impl_->strain})
+    for (const System& system : *systems) {
+      largest = std::max(largest, static_cast<Index>(system.nodes.size()));
+      work.solves.push_back(system.factor.workspace());
+    }
+  work.rhs = Eigen::VectorXd::Zero(largest);
+  work.solution = work.rhs;
+  return work;
+}
+
+template <int D>
+void GhostGradient<D>::apply(const VectorField<D>& u, const std::vector<double>& signals,
+                             TensorField<D>& H, Workspace& work) const {
+  const Impl& self = *impl_;
+  work.u.topRows(self.lattice.real) = u;
+  if (self.closure == GhostClosure::eta) {
+    self.apply_eta(signals, work);
+    self.X.gradient(work.u, work.strain);
+    H = work.strain.topRows(self.lattice.real);
+    return;
+  }
+  for (const Extended& ghost : self.extended) {
+    double value = ghost.image.sign * u(ghost.image.node, ghost.component);
+    for (std::size_t k = 0; k < ghost.image.count; ++k)
+      value += ghost.image.terms[k].weight * signals[ghost.image.terms[k].signal];
+    work.u(ghost.ghost, ghost.component) = value;
+  }
+  std::size_t scratch = 0;
+  for (const System& system : self.displacement)
+    Impl::solve(system, signals, work.u.data(), D, work, work.solves[scratch++]);
+  multiply<D>(self.W, work.u, work.smooth);
+  for (const System& system : self.displacement)
+    self.set_targets(system, signals, work.smooth.data(), D);
+
+  self.X.gradient(work.smooth, work.strain);
+  for (const System& system : self.strain)
+    Impl::solve(system, signals, work.strain.data(), D * D, work, work.solves[scratch++]);
+  // H = W strain on the real nodes, all components at once.
+  for (Index p = 0; p < self.lattice.real; ++p) {
+    double sum[D * D] = {};
+    for (SparseMatrix::InnerIterator it(self.W, p); it; ++it)
+      for (int c = 0; c < D * D; ++c) sum[c] += it.value() * work.strain(it.col(), c);
+    for (int c = 0; c < D * D; ++c) H(p, c) = sum[c];
+  }
+  for (const System& system : self.strain)
+    for (std::size_t k = 0; k < system.nodes.size(); ++k)
+      if (system.nodes[k] < self.lattice.real)
+        H(system.nodes[k], system.slot) =
+            system.target[k] == no_signal ? 0.0 : signals[system.target[k]];
+}
+
+template <int D>
+const SparseMatrix& GhostGradient<D>::kernel_matrix() const {
+  return impl_->W;
+}
+
+template <int D>
+const VectorOperator<D>& GhostGradient<D>::plain_gradient() const {
+  return impl_->X;
+}
+
+template <int D>
+const GhostLattice<D>& GhostGradient<D>::lattice() const {
+  return impl_->lattice;
+}
+
+template <int D>
+std::vector<std::string> GhostGradient<D>::report() const {
+  std::vector<std::string> lines;
+  for (const auto* systems : {&impl_->displacement, &impl_->strain})
+    for (const System& system : *systems)
+      lines.push_back(fmt::format(
+          "{}: {} unknowns, {} ({}), condition {:.2e}", system.name, system.nodes.size(),
+          system.factor.chosen() == SolverChoice::cholmod ? "cholmod" : "umfpack",
+          system.factor.reason(), system.factor.condition_estimate()));
+  return lines;
+}
+
+template <int D>
+std::string GhostGradient<D>::solver() const {
+  std::set<std::string> used;
+  for (const auto* systems : {&impl_->displacement, &impl_->strain})
+    for (const System& system : *systems)
+      used.insert(system.factor.chosen() == SolverChoice::cholmod ? "cholmod" : "umfpack");
+  std::string text;
+  for (const std::string& name : used) text += (text.empty() ? "" : "+") + name;
+  return text;
+}
+
+template class GhostGradient<1>;
+template class GhostGradient<2>;
+
+}  // namespace tlsph

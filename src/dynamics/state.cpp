@@ -1,0 +1,201 @@
+#include "tlsph/dynamics/state.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "tlsph/core/error.hpp"
+#include "tlsph/materials/uniaxial.hpp"
+#include "tlsph/operators/products.hpp"
+
+namespace tlsph {
+namespace {
+
+/// Below this many rows a second thread costs more than it brings.
+constexpr Index parallel_rows = 2000;
+
+template <int D>
+void evaluate_signals(const Discretisation<D>& disc, double time, std::vector<double>& values) {
+  for (std::size_t k = 0; k < disc.signals.size(); ++k) {
+    const Signal& signal = disc.signals[k];
+    const double load = value(signal.curve, time);
+    values[k] = signal.kind == Signal::Kind::value
+                    ? load
+                    : uniaxial_gradient<D>(disc.regions[signal.region].law, load);
+  }
+}
+
+void add_terms(const std::vector<SignalTerm>& terms, const std::vector<double>& values,
+               double* field) {
+  for (const SignalTerm& term : terms) field[term.slot] += term.weight * values[term.signal];
+}
+
+/// P = ∂Ψ/∂F over a region; the sum of all P_11 turns NaN or infinite as soon as one of them does.
+template <int D>
+double apply_law(const Region<D>& region, const TensorField<D>& H, TensorField<D>& P) {
+  return std::visit(
+      [&](const auto& law) {
+        double sum = 0.0;
+        if (region.points.empty()) {
+          const Index M = H.rows();
+#pragma omp parallel for schedule(static) reduction(+ : sum) if (M >= parallel_rows)
+          for (Index s = 0; s < M; ++s) {
+            const Tensor<D> stress = law.pk1(tensor_at<D>(H, s));
+            Eigen::Map<Tensor<D>>(P.data() + s * D * D) = stress;
+            sum += stress(0, 0);
+          }
+        } else {
+          const auto M = static_cast<Index>(region.points.size());
+#pragma omp parallel for schedule(static) reduction(+ : sum) if (M >= parallel_rows)
+          for (Index k = 0; k < M; ++k) {
+            const Index s = region.points[static_cast<std::size_t>(k)];
+            const Tensor<D> stress = law.pk1(tensor_at<D>(H, s));
+            Eigen::Map<Tensor<D>>(P.data() + s * D * D) = stress;
+            sum += stress(0, 0);
+          }
+        }
+        return sum;
+      },
+      region.law);
+}
+
+template <int D>
+[[noreturn]] void report_failure(const Discretisation<D>& disc, const State<D>& state) {
+  Index worst = 0;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (Index s = 0; s < state.H.rows(); ++s) {
+    const double J = (Tensor<D>::Identity() + tensor_at<D>(state.H, s)).determinant();
+    if (!std::isfinite(J) || !state.P.row(s).allFinite() || J < smallest) {
+      worst = s;
+      smallest = std::isfinite(J) ? J : smallest;
+      if (!std::isfinite(J)) break;
+    }
+  }
+  std::string where;
+  for (int a = 0; a < D; ++a)
+    where += fmt::format("{}{:.6g}", a == 0 ? "" : ", ", disc.points.X(worst, a));
+  throw NumericalError(
+      fmt::format("deformation lost at t = {:.6e} s, step {}: material point {} at ({}) m has det F "
+                  "= {:.3g} or a stress that is not finite; a smaller time.safety, a finer spacing, "
+                  "a stabiliser or a gentler load may help",
+                  state.time, state.step, worst, where, smallest),
+      state.time, static_cast<long>(worst));
+}
+
+}  // namespace
+
+template <int D>
+State<D> make_state(const Discretisation<D>& disc, VectorField<D> u, VectorField<D> v) {
+  State<D> state;
+  state.u = std::move(u);
+  state.v = std::move(v);
+  for (const Index dof : disc.constraints.fixed) {
+    state.u.data()[dof] = 0.0;
+    state.v.data()[dof] = 0.0;
+  }
+  for (const auto& motion : disc.constraints.moved) {
+    const Curve& curve = disc.constraints.curves[motion.curve];
+    state.u.data()[motion.dof] = value(curve, 0.0);
+    state.v.data()[motion.dof] = rate(curve, 0.0);
+  }
+  const Index M = disc.points.size();
+  state.H = TensorField<D>::Zero(M, D * D);
+  state.P = TensorField<D>::Zero(M, D * D);
+  state.f = VectorField<D>::Zero(disc.nodes(), D);
+  if (disc.viscosity.nonZeros() > 0) state.viscous = VectorField<D>::Zero(disc.nodes(), D);
+  state.signals.assign(disc.signals.size(), 0.0);
+  if (disc.ghosts) state.ghosts = disc.ghosts->workspace();
+  return state;
+}
+
+template <int D>
+void evaluate(const Discretisation<D>& disc, State<D>& state) {
+  evaluate_signals(disc, state.time, state.signals);
+  if (disc.ghosts)
+    disc.ghosts->apply(state.u, state.signals, state.H, state.ghosts);
+  else
+    disc.gradient.gradient(state.u, state.H);
+  add_terms(disc.gradient_terms, state.signals, state.H.data());
+
+  double finite = 0.0;
+  for (const Region<D>& region : disc.regions) finite += apply_law(region, state.H, state.P);
+  if (!std::isfinite(finite)) report_failure(disc, state);
+  for (const SignalTerm& term : disc.stress_values)
+    state.P.data()[term.slot] =
+        term.signal == no_signal ? 0.0 : term.weight * state.signals[term.signal];
+
+  disc.divergence.divergence(state.P, state.f);
+  add_terms(disc.force_terms, state.signals, state.f.data());
+  if (disc.adjoint)
+    for (const Load& load : disc.loads) {
+      const double pressure = value(load.curve, state.time);
+      for (std::size_t k = 0; k < load.dof.size(); ++k)
+        state.f.data()[load.dof[k]] += pressure * load.weight[k];
+    }
+  if (disc.has_body_force()) state.f.noalias() += disc.mass * disc.body_force.transpose();
+  if (disc.stiffness.nonZeros() > 0) subtract_product<D>(disc.stiffness, state.u, state.f);
+  if (disc.viscosity.nonZeros() > 0) {
+    multiply<D>(disc.viscosity, state.v, state.viscous);
+    state.f -= state.viscous;
+  }
+}
+
+template <int D>
+double next_velocity(const Discretisation<D>& disc, const State<D>& state, double dt, Index dof) {
+  const double inverse_mass = disc.inverse_mass.data()[dof];
+  if (inverse_mass == 0.0) {
+    const auto& moved = disc.constraints.moved;
+    const auto motion = std::lower_bound(
+        moved.begin(), moved.end(), dof,
+        [](const Constraints::Motion& entry, Index wanted) { return entry.dof < wanted; });
+    if (motion == moved.end() || motion->dof != dof) return 0.0;
+    return (value(disc.constraints.curves[motion->curve], state.time + dt) - state.u.data()[dof]) /
+           dt;
+  }
+  return state.v.data()[dof] + 0.5 * (state.last_dt + dt) * inverse_mass * state.f.data()[dof];
+}
+
+template <int D>
+void start(const Discretisation<D>& disc, State<D>& state, double dt) {
+  state.last_dt = dt;
+  state.v -= 0.5 * dt * disc.inverse_mass.cwiseProduct(state.f);
+}
+
+template <int D>
+void advance(const Discretisation<D>& disc, State<D>& state, double dt) {
+  const double kick = 0.5 * (state.last_dt + dt);
+  const Index dofs = state.u.size();
+  double* u = state.u.data();
+  double* v = state.v.data();
+  const double* f = state.f.data();
+  const double* inverse_mass = disc.inverse_mass.data();
+#pragma omp parallel for schedule(static) if (dofs >= D * parallel_rows)
+  for (Index k = 0; k < dofs; ++k) {
+    v[k] += kick * inverse_mass[k] * f[k];
+    u[k] += dt * v[k];
+  }
+  ++state.step;
+  state.time += dt;
+  state.last_dt = dt;
+  for (const auto& motion : disc.constraints.moved) {
+    const double next = value(disc.constraints.curves[motion.curve], state.time);
+    // u already holds u_n + Δt v_n−½ here; v_n−½ is still in v, its inverse mass being zero.
+    v[motion.dof] = (next - (u[motion.dof] - dt * v[motion.dof])) / dt;
+    u[motion.dof] = next;
+  }
+}
+
+#define TLSPH_INSTANTIATE(D)                                                                     \
+  template State<D> make_state<D>(const Discretisation<D>&, VectorField<D>, VectorField<D>);     \
+  template void evaluate<D>(const Discretisation<D>&, State<D>&);                                \
+  template double next_velocity<D>(const Discretisation<D>&, const State<D>&, double, Index);    \
+  template void start<D>(const Discretisation<D>&, State<D>&, double);                           \
+  template void advance<D>(const Discretisation<D>&, State<D>&, double);
+TLSPH_INSTANTIATE(1)
+TLSPH_INSTANTIATE(2)
+#undef TLSPH_INSTANTIATE
+
+}  // namespace tlsph

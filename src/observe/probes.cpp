@@ -1,0 +1,153 @@
+#include "tlsph/observe/probes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <string_view>
+#include <utility>
+
+#include "tlsph/core/error.hpp"
+#include "tlsph/materials/stress.hpp"
+
+namespace tlsph {
+namespace {
+
+constexpr std::array<std::string_view, 3> axes = {"x", "y", "z"};
+
+template <int D>
+std::size_t region_of(const Discretisation<D>& disc, Index point) {
+  for (std::size_t r = 0; r < disc.regions.size(); ++r) {
+    const auto& points = disc.regions[r].points;
+    if (points.empty() || std::binary_search(points.begin(), points.end(), point)) return r;
+  }
+  return 0;
+}
+
+}  // namespace
+
+template <int D>
+Probes<D>::Probes(const Discretisation<D>& disc, const std::vector<ProbeRequest<D>>& requests) {
+  static constexpr std::array<std::pair<std::string_view, Kind>, 8> names = {
+      {{"displacement", Kind::displacement},
+       {"velocity", Kind::velocity},
+       {"acceleration", Kind::acceleration},
+       {"deformation_gradient", Kind::deformation_gradient},
+       {"pk1", Kind::pk1},
+       {"cauchy", Kind::cauchy},
+       {"pressure", Kind::pressure},
+       {"von_mises", Kind::von_mises}}};
+  for (const ProbeRequest<D>& request : requests) {
+    Probe probe;
+    probe.nodes = linear_interpolation<D>(disc.particles.X, request.at, disc.spacing);
+    probe.points = linear_interpolation<D>(disc.points.X, request.at, disc.spacing);
+    const auto heaviest =
+        std::max_element(probe.points.weight.begin(), probe.points.weight.end());
+    probe.region = region_of<D>(
+        disc, probe.points.node[static_cast<std::size_t>(heaviest - probe.points.weight.begin())]);
+    for (const std::string& stem : request.quantities) {
+      const auto* entry = std::find_if(names.begin(), names.end(),
+                                       [&](const auto& pair) { return pair.first == stem; });
+      if (entry == names.end()) throw InputError("probe." + request.name + ": no quantity " + stem);
+      probe.kinds.push_back(entry->second);
+      const auto add = [&](const std::string& suffix) {
+        columns_.push_back(request.name + "." + stem + suffix);
+      };
+      switch (entry->second) {
+        case Kind::displacement:
+        case Kind::velocity:
+        case Kind::acceleration:
+          for (std::size_t i = 0; i < D; ++i) add("_" + std::string(axes[i]));
+          break;
+        case Kind::deformation_gradient:
+        case Kind::pk1:
+          for (std::size_t i = 0; i < D; ++i)
+            for (std::size_t a = 0; a < D; ++a)
+              add("_" + std::string(axes[i]) + std::string(axes[a]));
+          break;
+        case Kind::cauchy:
+          for (std::size_t i = 0; i < D; ++i)
+            for (std::size_t j = i; j < D; ++j)
+              add("_" + std::string(axes[i]) + std::string(axes[j]));
+          break;
+        case Kind::pressure:
+        case Kind::von_mises:
+          add("");
+          break;
+      }
+    }
+    probes_.push_back(std::move(probe));
+  }
+}
+
+template <int D>
+void Probes<D>::sample(const Discretisation<D>& disc, const State<D>& state, double dt,
+                       std::span<double> row) const {
+  std::size_t out = 0;
+  const double kick = 0.5 * (state.last_dt + dt);
+  for (const Probe& probe : probes_) {
+    Vector<D> u = Vector<D>::Zero();
+    Vector<D> v = Vector<D>::Zero();
+    Vector<D> a = Vector<D>::Zero();
+    for (std::size_t k = 0; k < probe.nodes.node.size(); ++k)
+      for (int i = 0; i < D; ++i) {
+        const Index dof = probe.nodes.node[k] * D + i;
+        const double before = state.v.data()[dof];
+        const double after = next_velocity<D>(disc, state, dt, dof);
+        u[i] += probe.nodes.weight[k] * state.u.data()[dof];
+        v[i] += probe.nodes.weight[k] * 0.5 * (before + after);
+        a[i] += probe.nodes.weight[k] * (after - before) / kick;
+      }
+    Tensor<D> H = Tensor<D>::Zero();
+    Tensor<D> P = Tensor<D>::Zero();
+    for (std::size_t k = 0; k < probe.points.node.size(); ++k) {
+      H += probe.points.weight[k] * tensor_at<D>(state.H, probe.points.node[k]);
+      P += probe.points.weight[k] * tensor_at<D>(state.P, probe.points.node[k]);
+    }
+    const AnyLaw<D>& law = disc.regions[probe.region].law;
+    const auto put = [&](double number) { row[out++] = number; };
+    const auto put_vector = [&](const Vector<D>& vector) {
+      for (int i = 0; i < D; ++i) put(vector[i]);
+    };
+    const auto put_tensor = [&](const Tensor<D>& tensor) {
+      for (int i = 0; i < D; ++i)
+        for (int j = 0; j < D; ++j) put(tensor(i, j));
+    };
+    for (const Kind kind : probe.kinds) {
+      switch (kind) {
+        case Kind::displacement:
+          put_vector(u);
+          break;
+        case Kind::velocity:
+          put_vector(v);
+          break;
+        case Kind::acceleration:
+          put_vector(a);
+          break;
+        case Kind::deformation_gradient:
+          put_tensor(Tensor<D>::Identity() + H);
+          break;
+        case Kind::pk1:
+          put_tensor(P);
+          break;
+        case Kind::cauchy: {
+          const Tensor<D> sigma = cauchy<D>(law, H, P);
+          for (int i = 0; i < D; ++i)
+            for (int j = i; j < D; ++j) put(sigma(i, j));
+          break;
+        }
+        case Kind::pressure:
+          put(tlsph::pressure<D>(cauchy<D>(law, H, P), transverse_stress<D>(law, H)));
+          break;
+        case Kind::von_mises:
+          put(tlsph::von_mises<D>(cauchy<D>(law, H, P), transverse_stress<D>(law, H)));
+          break;
+      }
+    }
+  }
+  assert(out == row.size());
+}
+
+template class Probes<1>;
+template class Probes<2>;
+
+}  // namespace tlsph

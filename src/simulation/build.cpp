@@ -1,0 +1,118 @@
+#include <fmt/format.h>
+
+#include "parts.hpp"
+#include "tlsph/boundary/mirror.hpp"
+#include "tlsph/operators/gradients.hpp"
+#include "tlsph/particles/points.hpp"
+
+namespace tlsph {
+namespace {
+
+Correction correction_of(const Scene& scene) {
+  switch (scene.kernel.correction) {
+    case GradientCorrection::none:
+      return Correction::none;
+    case GradientCorrection::mixed:
+      return Correction::mixed;
+    case GradientCorrection::gradient:
+      break;
+  }
+  return Correction::gradient;
+}
+
+GhostClosure closure_of(const Scene& scene) {
+  switch (scene.ghosts) {
+    case GhostTreatment::as_printed:
+      return GhostClosure::as_printed;
+    case GhostTreatment::eta:
+      return GhostClosure::eta;
+    case GhostTreatment::consistent:
+      break;
+  }
+  return GhostClosure::consistent;
+}
+
+SolverChoice solver_of(const Scene& scene) {
+  switch (scene.boundary_solver) {
+    case BoundarySolver::cholmod:
+      return SolverChoice::cholmod;
+    case BoundarySolver::umfpack:
+      return SolverChoice::umfpack;
+    case BoundarySolver::automatic:
+      break;
+  }
+  return SolverChoice::automatic;
+}
+
+AnyKernel kernel_of(const Scene& scene) {
+  const auto kernel = kernel_by_name(scene.kernel.family);
+  if (!kernel) throw InputError(scene.kernel.place, "no kernel of that name");
+  return *kernel;
+}
+
+/// Natural boundaries: D = −GᵀV.
+template <int D>
+void add_adjoint_operators(const Scene& scene, Discretisation<D>& disc) {
+  const Particles<D>& particles = disc.particles;
+  const double h = scene.kernel.support.value_or(0.0) * particles.spacing;
+  if (scene.formulation == Formulation::variational)
+    disc.gradient = collocated_gradient<D>(kernel_of(scene), h, particles.X, particles.V,
+                                           correction_of(scene));
+  else if (scene.kernel.support)
+    disc.gradient =
+        point_gradient<D>(kernel_of(scene), h, disc.points.X, particles.X, particles.V);
+  else
+    disc.gradient = cell_gradient<D>(particles, disc.points);
+  disc.divergence = disc.gradient.negative_adjoint(disc.points.V);
+}
+
+/// Boxes with ghosts: eliminated (`mirror`) or solved for each step (`thesis`).
+template <int D>
+void add_ghost_operators(const Scene& scene, Discretisation<D>& disc) {
+  const Edges<D> edges = parts::build_edges<D>(scene, disc);
+  const LatticeStencil<D> stencil =
+      lattice_stencil<D>(kernel_of(scene), scene.kernel.support.value_or(2.5),
+                         *disc.particles.frame);
+  const bool thesis = scene.formulation == Formulation::thesis;
+  const bool eta = scene.ghosts == GhostTreatment::eta;
+  auto folded =
+      folded_operators<D>(stencil, *disc.particles.frame, disc.particles.V, edges,
+                          thesis && !eta ? TractionGhost::target : TractionGhost::mirrored);
+  disc.divergence = std::move(folded.divergence);
+  disc.force_terms = std::move(folded.force_terms);
+  disc.stress_values = std::move(folded.stress_values);
+  if (thesis) {
+    disc.ghosts = std::make_shared<const GhostGradient<D>>(
+        stencil, disc.particles, edges, closure_of(scene), solver_of(scene),
+        scene.boundary_solver_place);
+  } else {
+    disc.gradient = std::move(folded.gradient);
+    disc.gradient_terms = std::move(folded.gradient_terms);
+  }
+}
+
+}  // namespace
+
+template <int D>
+Discretisation<D> build(const Scene& scene) {
+  Discretisation<D> disc;
+  disc.particles = build_particles<D>(scene);
+  disc.spacing = disc.particles.spacing;
+  disc.points = scene.formulation == Formulation::stress_point ? cell_points<D>(disc.particles)
+                                                               : node_points<D>(disc.particles);
+  disc.adjoint = scene.formulation == Formulation::variational ||
+                 scene.formulation == Formulation::stress_point;
+  parts::add_materials<D>(scene, disc);
+  parts::add_conditions<D>(scene, disc);
+  if (disc.adjoint)
+    add_adjoint_operators<D>(scene, disc);
+  else
+    add_ghost_operators<D>(scene, disc);
+  parts::add_stabiliser<D>(scene, disc);
+  return disc;
+}
+
+template Discretisation<1> build<1>(const Scene&);
+template Discretisation<2> build<2>(const Scene&);
+
+}  // namespace tlsph

@@ -1,0 +1,34 @@
+#pragma once
+/// \file
+/// The parts `build` is made of; not for other rooms.
+
+#include "tlsph/boundary/extension.hpp"
+#include "tlsph/simulation/builder.hpp"
+
+namespace tlsph::parts {
+
+/// Laws and densities with the points they hold, and the masses of the nodes.
+template <int D>
+void add_materials(const Scene& scene, Discretisation<D>& disc);
+
+/// Constraints and loads from the scene's boundaries, and inverse masses.
+template <int D>
+void add_conditions(const Scene& scene, Discretisation<D>& disc);
+
+/// The edges of a box as `mirror` and `thesis` need them; adds their signals.
+template <int D>
+[[nodiscard]] Edges<D> build_edges(const Scene& scene, Discretisation<D>& disc);
+
+/// S or C of the scene's stabiliser.
+template <int D>
+void add_stabiliser(const Scene& scene, Discretisation<D>& disc);
+
+/// The material entry that rules at X: the first box that holds it, else the one without a box.
+template <int D>
+[[nodiscard]] std::size_t material_at(const Scene& scene, const Vector<D>& X, double tolerance);
+
+/// Axis a patch is perpendicular to. InputError if it is no straight axis-aligned edge.
+template <int D>
+[[nodiscard]] int normal_axis(const Patch<D>& patch, const Place& place);
+
+}  // namespace tlsph::parts
