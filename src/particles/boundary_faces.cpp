@@ -22,6 +22,28 @@ Patch<D> make_patch(std::string name, std::vector<Face<D>> faces) {
   return patch;
 }
 
+template <int D>
+std::vector<Patch<D>> make_patches(const std::vector<LabelledFace<D>>& faces, std::size_t holes) {
+  std::vector<Patch<D>> patches;
+  const auto add = [&](const std::string& name, auto belongs) {
+    std::vector<Face<D>> chosen;
+    for (const auto& labelled : faces)
+      if (belongs(labelled)) chosen.push_back(labelled.face);
+    if (!chosen.empty()) patches.push_back(make_patch<D>(name, std::move(chosen)));
+  };
+  for (int side = 0; side < 2 * D; ++side)
+    add(side_names[static_cast<std::size_t>(side)],
+        [side](const auto& face) { return face.side == side; });
+  add("hole", [](const auto& face) { return face.hole > 0; });
+  for (int k = 1; k <= static_cast<int>(holes); ++k)
+    add("hole" + std::to_string(k), [k](const auto& face) { return face.hole == k; });
+  add("outer", [](const auto& face) { return face.hole == 0; });
+  add("boundary", [](const auto&) { return true; });
+  return patches;
+}
+
+template std::vector<Patch<1>> make_patches(const std::vector<LabelledFace<1>>&, std::size_t);
+template std::vector<Patch<2>> make_patches(const std::vector<LabelledFace<2>>&, std::size_t);
 template VectorField<1> lumped_areas(Index, const std::vector<Face<1>>&);
 template VectorField<2> lumped_areas(Index, const std::vector<Face<2>>&);
 template Patch<1> make_patch(std::string, std::vector<Face<1>>);

@@ -9,9 +9,11 @@
 namespace tlsph {
 
 template <int D>
-double lattice_size_estimate(const Shape<D>& shape, double spacing, NodePlacement placement) {
+double lattice_size_estimate(const Shape<D>& shape, double spacing, NodePlacement placement,
+                             const Place& place) {
+  validate(shape, place);
   if (!(spacing > 0.0))
-    throw InputError(fmt::format("spacing must be greater than 0, not {}", spacing));
+    throw InputError(place, fmt::format("spacing must be greater than 0, not {}", spacing));
   const double more = placement == NodePlacement::on_boundary ? 1.0 : 0.0;
   if (const auto* box = std::get_if<Box<D>>(&shape.form)) {
     double nodes = 1.0;
@@ -24,7 +26,7 @@ double lattice_size_estimate(const Shape<D>& shape, double spacing, NodePlacemen
          more * (boundary_measure(shape) / (2.0 * spacing) + 1.0);
 }
 
-template double lattice_size_estimate(const Shape<1>&, double, NodePlacement);
-template double lattice_size_estimate(const Shape<2>&, double, NodePlacement);
+template double lattice_size_estimate(const Shape<1>&, double, NodePlacement, const Place&);
+template double lattice_size_estimate(const Shape<2>&, double, NodePlacement, const Place&);
 
 }  // namespace tlsph

@@ -18,25 +18,23 @@ struct Side {
   std::size_t axis;
   int step;
   std::array<std::size_t, D> corners;
-  const char* name;
 };
 
 template <int D>
-struct CellGeometry;  // corners as steps from the lower one, counter-clockwise, and the sides
+struct CellGeometry;  // corners as steps from the lower one, counter-clockwise; sides in the order
+                      // of side_names
 
 template <>
 struct CellGeometry<1> {
   static constexpr std::array<std::array<int, 1>, 2> corners = {{{0}, {1}}};
-  static constexpr std::array<Side<1>, 2> sides = {{{0, -1, {0}, "left"}, {0, +1, {1}, "right"}}};
+  static constexpr std::array<Side<1>, 2> sides = {{{0, -1, {0}}, {0, +1, {1}}}};
 };
 
 template <>
 struct CellGeometry<2> {
   static constexpr std::array<std::array<int, 2>, 4> corners = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
-  static constexpr std::array<Side<2>, 4> sides = {{{0, -1, {3, 0}, "left"},
-                                                    {0, +1, {1, 2}, "right"},
-                                                    {1, -1, {0, 1}, "bottom"},
-                                                    {1, +1, {2, 3}, "top"}}};
+  static constexpr std::array<Side<2>, 4> sides = {
+      {{0, -1, {3, 0}}, {0, +1, {1, 2}}, {1, -1, {0, 1}}, {1, +1, {2, 3}}}};
 };
 
 constexpr int in_body = 0;    // a cell of the body; k ≥ 1: cut away by hole k
@@ -60,14 +58,6 @@ struct Raster {
   }
   int cells() const { return static_cast<int>(kind.size()); }
   bool inside(int cell) const { return kind[static_cast<std::size_t>(cell)] == in_body; }
-};
-
-/// A face and what lies beyond it.
-template <int D>
-struct LabelledFace {
-  Face<D> face;
-  const Side<D>* side;  // side of the bounding box it lies on, nullptr if on none
-  int hole;             // 0 if on none
 };
 
 template <int D>
@@ -165,7 +155,8 @@ template <int D>
 void append_faces(const Raster<D>& raster, int cell, const Cell<D>& nodes,
                   std::vector<LabelledFace<D>>& faces) {
   const auto at = raster.cell_frame.coordinates(cell);
-  for (const auto& side : CellGeometry<D>::sides) {
+  for (std::size_t s = 0; s < 2 * D; ++s) {
+    const auto& side = CellGeometry<D>::sides[s];
     auto beyond = at;
     beyond[side.axis] += side.step;
     const bool on_box =
@@ -175,27 +166,8 @@ void append_faces(const Raster<D>& raster, int cell, const Cell<D>& nodes,
     if (kind == in_body) continue;
     Face<D> face{{}, side_area<D>(side, raster.cell_frame.spacing)};
     for (std::size_t k = 0; k < D; ++k) face.nodes[k] = nodes[side.corners[k]];
-    faces.push_back({face, on_box ? &side : nullptr, kind == off_base ? 0 : kind});
+    faces.push_back({face, on_box ? static_cast<int>(s) : no_side, kind == off_base ? 0 : kind});
   }
-}
-
-template <int D>
-std::vector<Patch<D>> make_patches(const std::vector<LabelledFace<D>>& faces, std::size_t holes) {
-  std::vector<Patch<D>> patches;
-  const auto add = [&](const std::string& name, auto belongs) {
-    std::vector<Face<D>> chosen;
-    for (const auto& labelled : faces)
-      if (belongs(labelled)) chosen.push_back(labelled.face);
-    if (!chosen.empty()) patches.push_back(make_patch<D>(name, std::move(chosen)));
-  };
-  for (const auto& side : CellGeometry<D>::sides)
-    add(side.name, [&](const auto& f) { return f.side == &side; });
-  add("hole", [](const auto& f) { return f.hole > 0; });
-  for (std::size_t k = 1; k <= holes; ++k)
-    add(fmt::format("hole{}", k), [k](const auto& f) { return f.hole == static_cast<int>(k); });
-  add("outer", [](const auto& f) { return f.hole == 0; });
-  add("boundary", [](const auto&) { return true; });
-  return patches;
 }
 
 template <int D>

@@ -1,7 +1,10 @@
 #pragma once
 /// \file
-/// Sums over cells and faces that every builder of particles needs.
+/// From labelled boundary faces to patches and lumped area vectors: what every builder of particles
+/// needs.
 
+#include <array>
+#include <string>
 #include <vector>
 
 #include "tlsph/particles/particles.hpp"
@@ -12,6 +15,24 @@ namespace tlsph {
 [[nodiscard]] inline Vector<2> face_area(const Vector<2>& a, const Vector<2>& b) {
   return {b.y() - a.y(), a.x() - b.x()};
 }
+
+/// Names of the sides of the bounding box: lower and upper in x, then in y.
+inline constexpr std::array<const char*, 4> side_names = {"left", "right", "bottom", "top"};
+inline constexpr int no_side = -1;
+
+/// A face and what lies beyond it.
+template <int D>
+struct LabelledFace {
+  Face<D> face;
+  int side = no_side;  ///< side of the bounding box it lies on, index into side_names
+  int hole = 0;        ///< number of the hole it borders, from 1; 0 if none
+};
+
+/// The patches every body has, as far as they hold faces: `left`, `right`, `bottom`, `top`, `hole`,
+/// `hole1` …, `outer`, `boundary`.
+template <int D>
+[[nodiscard]] std::vector<Patch<D>> make_patches(const std::vector<LabelledFace<D>>& faces,
+                                                 std::size_t holes);
 
 /// N×d lumped area vectors: each face gives equal shares to its ends.
 template <int D>

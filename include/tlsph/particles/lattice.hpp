@@ -3,11 +3,11 @@
 /// Bodies filled with the nodes of a rectangular lattice.
 ///
 /// A cell of the lattice belongs to the body if its centre lies in the shape; curved and slanted
-/// edges become stairs of cells (`fitted` pulls them onto the true boundary). The volume of a node
-/// on the boundary placement is a quarter (half in 1D) of each cell it belongs to, so that Σ V is
-/// the area of the cells. The boundary is made of the cell edges that have a cell on one side only;
-/// half of each edge's outward area vector goes to either end, hence Σ_q B_q = 0 and Σ_q B^a_q
-/// X^b_q = |Ω| δ_ab.
+/// edges become stairs of cells (particles/fitted.hpp replaces the stairs by cells that follow the
+/// boundary). The volume of a node on the boundary placement is a quarter (half in 1D) of each cell
+/// it belongs to, so that Σ V is the area of the cells. The boundary is made of the cell edges that
+/// have a cell on one side only; half of each edge's outward area vector goes to either end, hence
+/// Σ_q B_q = 0 and Σ_q B^a_q X^b_q = |Ω| δ_ab.
 
 #include <string>
 
@@ -23,7 +23,8 @@ namespace tlsph {
 /// holds.
 template <int D>
 [[nodiscard]] double lattice_size_estimate(const Shape<D>& shape, double spacing,
-                                           NodePlacement placement = NodePlacement::on_boundary);
+                                           NodePlacement placement = NodePlacement::on_boundary,
+                                           const Place& place = {});
 
 /// Nodes row by row, the last coordinate fastest; cells and faces in the same order; cell corners
 /// and face ends counter-clockwise (the body to the left of a face).
