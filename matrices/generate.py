@@ -16,6 +16,7 @@ from decimal import Decimal
 from fractions import Fraction
 from pathlib import Path
 
+import edges
 import layouts
 import operators as op
 from kernels import KERNELS, decimal
@@ -151,37 +152,52 @@ def fitted(out, base, kernel, support):
                        says="slope of the linear fit with weights V_q W")
 
 
+LOADS = "columns: strain at the left end, displacement of the right end"
+
+
 def mirrored(out, base, kernel, support):
     layout = arithmetic(base, kernel)
-    G, G_load, D, D_load = op.mirror(layout, KERNELS[kernel], suit(layout, support))
+    G, G_load, D, D_load = edges.mirror(layout, KERNELS[kernel], suit(layout, support))
     about = ("mirror", "", kernel, support)
     out.add(base, G, "G_x", *about, says="folded, traction at the left end, fixed at the right")
-    out.add(base, G_load, "G_load", *about, says="columns: strain at the left end, displacement of the right end")
+    out.add(base, G_load, "G_load", *about, says=LOADS)
     out.add(base, D, "D_x", *about, says="V X, folded for the stress")
     out.add(base, D_load, "D_load", *about, says="column: traction at the left end")
 
 
-def closed(out, base, kernel, support):
-    """The thesis's modified SPH matrix on the line with ghosts."""
+def closed(out, base, kernel, support, closure):
+    """The whole strain operator of the thesis, ghosts eliminated."""
     layout = arithmetic(base, kernel)
-    W = op.kernel_matrix(layout, KERNELS[kernel], suit(layout, support))
-    for correction, coupled in (("consistent", True), ("as-printed", False)):
-        modified = op.modified_kernel_matrix(W, 2, coupled)
-        says = "rows of W for boundary and ghosts" + ("" if coupled else ", coupling to the inner nodes dropped")
-        out.add(base, modified, "W_modified", "thesis", correction, kernel, support, says)
+    G, G_load = edges.thesis(layout, KERNELS[kernel], suit(layout, support), closure)
+    about = ("thesis", closure, kernel, support)
+    out.add(base, G, "G_x", *about, says="strain with ghosts, traction at the left end, fixed at the right")
+    out.add(base, G_load, "G_load", *about, says=LOADS)
+
+
+def ghosted(out, base, real, kernel, support):
+    """What the thesis's operator is made of, over real nodes and ghosts."""
+    layout = arithmetic(base, kernel)
+    W, X = edges.lattice_matrices(layout, real, KERNELS[kernel], suit(layout, support))
+    about = ("thesis", "lattice", kernel, support)
+    out.add(base, W, "W", *about, says="lattice weights, scaled to sum to one")
+    out.add(base, X, "G_x", *about, says="lattice weights, scaled to be exact for linear fields")
+    for closure, coupled in (("consistent", True), ("as-printed", False)):
+        out.add(base, edges.modified_kernel_matrix(layout, real, W, coupled), "W_modified", "thesis", closure, kernel,
+                support, "modified SPH matrix (2.46)" + ("" if coupled else ", coupling to the other nodes dropped"))
 
 
 def collection():
     out = Collection()
     narrow, wide = Fraction(5, 2), Fraction(7, 2)
-    line, ghosted, sheet, cloud = layouts.line(), layouts.ghosted_line(), layouts.sheet(), layouts.cloud()
-    for layout in (line, ghosted, sheet, cloud):
+    line, behind, sheet, cloud = layouts.line(), layouts.ghosted_line(), layouts.sheet(), layouts.cloud()
+    for layout in (line, behind, sheet, cloud):
         out.layout(layout)
 
     for kernel in KERNELS:
         smoothing(out, line, kernel, narrow, gradient=True)
-    smoothing(out, ghosted, "cubic-spline", narrow, gradient=True)
-    closed(out, ghosted, "cubic-spline", narrow)
+    ghosted(out, behind, line.size, "cubic-spline", narrow)
+    for closure in ("consistent", "as-printed", "eta"):
+        closed(out, line, "cubic-spline", narrow, closure)
     variational(out, line, "wendland-c2", narrow, "none")
     variational(out, line, "wendland-c2", narrow, "gradient", stabiliser=True)
     variational(out, line, "modified-mollifier", wide, "gradient")

@@ -1,4 +1,4 @@
-"""The three bodies of the reference operators, in fractions.
+"""The bodies of the reference operators, in fractions.
 
 Coordinates and volumes are multiples of powers of two, so the doubles in the files are exact.
 """
@@ -44,10 +44,11 @@ def line(cells=6):
     return Layout("line7", X, V, tuple((i, i + 1) for i in range(cells)))
 
 
-def ghosted_line(cells=6, ghosts=2):
-    """The line with ghosts behind both ends; every node owns a full volume."""
-    X = tuple((i * DELTA,) for i in range(-ghosts, cells + ghosts + 1))
-    return Layout("line11-ghosts", X, (DELTA,) * len(X))
+def ghosted_line(cells=6, ghosts=4):
+    """The line with ghosts behind both ends, each a full volume: the real nodes first, then the ghosts."""
+    real = range(cells + 1)
+    behind = [*range(-ghosts, 0), *range(cells + 1, cells + ghosts + 1)]
+    return Layout("line15-ghosts", tuple((i * DELTA,) for i in [*real, *behind]), (DELTA,) * (len(behind) + len(real)))
 
 
 def sheet(nx=4, ny=3):
