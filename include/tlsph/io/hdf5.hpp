@@ -1,0 +1,100 @@
+#pragma once
+/// \file
+/// HDF5 files: named arrays of numbers and texts with attributes, and series that grow row by row.
+/// The only door to the HDF5 library, whose types stay behind it. Default file format, so that
+/// every reader opens the files; arrays are row-major.
+///
+/// A failure to create, write or flush is an OutputError, a failure to open or read an InputError;
+/// both name the file, the path in it and the innermost reason HDF5 gives.
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tlsph {
+
+/// Lengths of an array along its directions; empty for a single value.
+using Extents = std::vector<std::size_t>;
+
+/// A whole array read from a file.
+template <class Value>
+struct Hdf5Array {
+  Extents shape;
+  std::vector<Value> values;
+};
+
+class Hdf5File {
+ public:
+  /// A new file in place of any old one.
+  static Hdf5File create(const std::filesystem::path& path);
+  /// An existing file, to be read and changed.
+  static Hdf5File open(const std::filesystem::path& path);
+  static Hdf5File open_read_only(const std::filesystem::path& path);
+  Hdf5File(Hdf5File&&) noexcept;
+  Hdf5File& operator=(Hdf5File&&) noexcept;
+  /// Closes; a failure is silent here, so call `close` where it matters.
+  ~Hdf5File();
+
+  [[nodiscard]] const std::filesystem::path& path() const;
+  /// Whether `item` is a group or data set of the file.
+  [[nodiscard]] bool exists(const std::string& item) const;
+  /// Names in a group, in alphabetical order.
+  [[nodiscard]] std::vector<std::string> names(const std::string& group) const;
+
+  // Groups on the way to an item are made as needed; an item that is there already is an error.
+  void make_group(const std::string& item);
+  void write(const std::string& item, std::span<const double> values, const Extents& shape);
+  void write(const std::string& item, std::span<const std::int32_t> values, const Extents& shape);
+  void write(const std::string& item, std::span<const std::int64_t> values, const Extents& shape);
+  void write(const std::string& item, const std::string& text);
+  void write(const std::string& item, const std::vector<std::string>& texts);
+
+  // An attribute of a group or data set; an old one of that name is replaced.
+  void set_attribute(const std::string& item, const std::string& name, const std::string& text);
+  void set_attribute(const std::string& item, const std::string& name, const char* text);
+  void set_attribute(const std::string& item, const std::string& name, double value);
+  void set_attribute(const std::string& item, const std::string& name, std::int64_t value);
+  void set_attribute(const std::string& item, const std::string& name,
+                     const std::vector<std::string>& texts);
+
+  /// A series: 0 rows, each an array of doubles of `row_shape`. Rows are stored in chunks of
+  /// `chunk_rows` (0: as many as make about 256 KiB, at least one).
+  void create_series(const std::string& item, const Extents& row_shape, std::size_t chunk_rows = 0);
+  /// Adds rows, `values` holding a whole number of them. Goes from `values` to the file, no copy.
+  void append(const std::string& item, std::span<const double> values);
+  /// Hands all that was written to the system: from here on it outlives the program, however it
+  /// ends.
+  void flush();
+  /// Gives the file another name, in place of any file of that name, while it is open.
+  void rename(const std::filesystem::path& path);
+  /// Flushes and closes. The object can only be destroyed or assigned to afterwards.
+  void close();
+
+  /// First length of the shape of `item`.
+  [[nodiscard]] std::size_t rows(const std::string& item) const;
+  [[nodiscard]] Extents shape(const std::string& item) const;
+  [[nodiscard]] Hdf5Array<double> read_doubles(const std::string& item) const;
+  [[nodiscard]] Hdf5Array<std::int64_t> read_integers(const std::string& item) const;
+  /// `count` rows from row `first` on; the shape is that of these rows.
+  [[nodiscard]] Hdf5Array<double> read_rows(const std::string& item, std::size_t first,
+                                            std::size_t count) const;
+  [[nodiscard]] std::vector<std::string> read_texts(const std::string& item) const;
+  [[nodiscard]] bool has_attribute(const std::string& item, const std::string& name) const;
+  [[nodiscard]] std::string text_attribute(const std::string& item, const std::string& name) const;
+  [[nodiscard]] std::vector<std::string> texts_attribute(const std::string& item,
+                                                         const std::string& name) const;
+  [[nodiscard]] double double_attribute(const std::string& item, const std::string& name) const;
+  [[nodiscard]] std::int64_t integer_attribute(const std::string& item,
+                                               const std::string& name) const;
+
+ private:
+  struct Open;
+  explicit Hdf5File(std::unique_ptr<Open> open);
+  std::unique_ptr<Open> open_;
+};
+
+}  // namespace tlsph

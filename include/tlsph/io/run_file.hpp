@@ -1,0 +1,108 @@
+#pragma once
+/// \file
+/// run.h5, what a run leaves behind: the scene, the reference configuration, frames of full fields
+/// and series of totals.
+///
+///     /scene                    attributes text (TOML, as run), file, version, dimension
+///     /particles/{X, V, tag}    /points/{X, V}
+///     /frames/time              T [s]
+///     /frames/<field>           T×N×d^rank, the components of a tensor in the order xx xy yx yy
+///     /series/time              S [s]
+///     /series/<quantity>        S, or S×c for a vector
+///     /xdmf                     positions in space and vertex numbers, for run.xdmf only
+///
+/// Every data set says its unit. Each frame is handed to the system when it is written, `time`
+/// last: a reader that takes as many rows as /frames/time (/series/time) has never sees half a
+/// frame, even of a run that was killed. The file gets its name with the first frame; until then it
+/// is `<name>.tmp`.
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tlsph/io/cloud.hpp"
+#include "tlsph/io/hdf5.hpp"
+
+namespace tlsph {
+
+/// Where a field lives.
+enum class Site { particles, points };
+/// Components of a field in d dimensions: d^rank.
+enum class Rank { scalar = 0, vector = 1, tensor = 2 };
+
+struct FrameField {
+  std::string name;
+  Site site = Site::particles;
+  Rank rank = Rank::vector;
+  std::string unit;
+};
+
+struct SeriesQuantity {
+  std::string name;
+  std::size_t components = 1;
+  std::string unit;
+};
+
+/// The shape of a run's output; the same for the run and its resumption.
+struct RunLayout {
+  std::size_t dimension = 2;
+  std::size_t particles = 0, points = 0;
+  std::vector<FrameField> fields;
+  std::vector<SeriesQuantity> series;
+
+  /// Rows of a field: particles or points.
+  [[nodiscard]] std::size_t rows(const FrameField& field) const;
+  /// Components of a field: d^rank.
+  [[nodiscard]] std::size_t components(const FrameField& field) const;
+};
+
+/// What is written once, at the start.
+struct RunStart {
+  std::string scene_file, scene_text, version;
+  CloudView particles, points;
+};
+
+class RunFile {
+ public:
+  /// A new file, complete but for its frames; it replaces an old one with the first frame or flush.
+  /// Write the series row of t = 0 before that.
+  static RunFile create(const std::filesystem::path& path, const RunLayout& layout,
+                        const RunStart& start);
+  /// A file that goes on after the first `frames` frames and `rows` series rows of the one at
+  /// `path`, and replaces it. They are copied into a new one: to shorten series in place would put
+  /// all of them at risk while it lasts. Throws InputError if the old file holds fewer or is not of
+  /// this layout; it is left as it is then.
+  static RunFile resume(const std::filesystem::path& path, const RunLayout& layout,
+                        const RunStart& start, std::size_t frames, std::size_t rows);
+
+  /// Adds a frame at `time` [s]; `fields` are the row-major arrays in the order of the layout. They
+  /// are written from where they are, not copied.
+  void write_frame(double time, std::span<const std::span<const double>> fields);
+  /// Adds a row to every series; `values` are the components of all quantities in the order of the
+  /// layout, one after the other. Kept in memory until the buffer is full or the next flush or
+  /// frame; in between it allocates nothing.
+  void write_series(double time, std::span<const double> values);
+  [[nodiscard]] std::size_t frames() const { return frames_; }
+  [[nodiscard]] std::size_t series_rows() const { return rows_; }
+  /// Times of the frames so far [s].
+  [[nodiscard]] const std::vector<double>& frame_times() const { return frame_times_; }
+  void flush();
+  void close();
+
+ private:
+  RunFile(const std::filesystem::path& path, const RunLayout& layout, const RunStart& start);
+  void append_series();
+  void commit(std::span<const double> frame_time);
+
+  std::filesystem::path path_;  // the name it is to have
+  Hdf5File file_;
+  RunLayout layout_;
+  std::size_t frames_ = 0, rows_ = 0;
+  std::vector<double> frame_times_;
+  std::vector<double> series_time_;                 // pending rows
+  std::vector<std::vector<double>> series_values_;  // the same, a vector per quantity
+};
+
+}  // namespace tlsph

@@ -1,0 +1,193 @@
+#include "tlsph/io/checkpoint.hpp"
+
+#include <bit>
+#include <cstring>
+#include <fstream>
+#include <system_error>
+
+#include "tlsph/core/error.hpp"
+#include "tlsph/io/files.hpp"
+
+namespace tlsph {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr char magic[8] = {'T', 'L', 'S', 'P', 'H', 'C', 'K', 'P'};
+constexpr std::uint64_t version = 1;
+
+/// Check sum over 64-bit words: every word is mixed by a multiplication that can be undone, so a
+/// single changed word always shows and any other change does with chance 1 − 2⁻⁶⁴ or so.
+class CheckSum {
+ public:
+  void add(const void* bytes, std::size_t count) {
+    const char* next = static_cast<const char*>(bytes);
+    for (; count >= 8; next += 8, count -= 8) {
+      std::uint64_t word;
+      std::memcpy(&word, next, 8);
+      mix(word);
+    }
+    std::uint64_t rest = 0;
+    std::memcpy(&rest, next, count);
+    if (count > 0) mix(rest);
+  }
+  [[nodiscard]] std::uint64_t value() const { return sum_; }
+
+ private:
+  void mix(std::uint64_t word) {
+    sum_ = std::rotl((sum_ ^ word) * 0x9E3779B97F4A7C15ULL, 29) + 0x632BE59BD9B4E019ULL;
+  }
+  std::uint64_t sum_ = 0xCBF29CE484222325ULL;
+};
+
+class Writer {
+ public:
+  explicit Writer(const fs::path& path) : file_(path) {}
+  void bytes(const void* data, std::size_t count) {
+    sum_.add(data, count);
+    file_.write(data, count);
+  }
+  void number(std::uint64_t value) { bytes(&value, sizeof value); }
+  void text(const std::string& value) {
+    number(value.size());
+    bytes(value.data(), value.size());
+  }
+  void commit() {
+    number(sum_.value());
+    file_.commit(Durability::machine);
+  }
+
+ private:
+  AsideFile file_;
+  CheckSum sum_;
+};
+
+class Reader {
+ public:
+  explicit Reader(const fs::path& path) : path_(path), file_(path, std::ios::binary) {
+    std::error_code error;
+    left_ = fs::file_size(path, error);
+    if (!file_ || error) fail("cannot be read");
+  }
+  [[noreturn]] void fail(const std::string& message) const {
+    throw InputError(path_.string() + ": " + message + "; start without --resume");
+  }
+  void bytes(void* data, std::size_t count) {
+    // Asked before any memory is taken: a damaged length must not ask for all of it.
+    need(count);
+    file_.read(static_cast<char*>(data), static_cast<std::streamsize>(count));
+    if (!file_) fail("cannot be read");
+    sum_.add(data, count);
+    left_ -= count;
+  }
+  void need(std::uint64_t count) const {
+    if (count > left_) fail("is a torn checkpoint");
+  }
+  std::uint64_t number() {
+    std::uint64_t value = 0;
+    bytes(&value, sizeof value);
+    return value;
+  }
+  std::string text() {
+    const std::uint64_t count = number();
+    need(count);
+    std::string value(count, '\0');
+    bytes(value.data(), count);
+    return value;
+  }
+  std::vector<double> array() {
+    const std::uint64_t count = number();
+    need(count);  // so that the product below cannot overflow
+    need(count * sizeof(double));
+    std::vector<double> values(count);
+    bytes(values.data(), count * sizeof(double));
+    return values;
+  }
+  void finish() {
+    const std::uint64_t computed = sum_.value();
+    if (number() != computed || left_ != 0) fail("is a damaged checkpoint");
+  }
+
+ private:
+  fs::path path_;
+  std::ifstream file_;
+  std::uint64_t left_ = 0;
+  CheckSum sum_;
+};
+
+template <class Map>
+const auto& find(const Map& map, const std::string& name, const fs::path& path) {
+  const auto found = map.find(name);
+  if (found == map.end())
+    throw InputError(path.string() + ": has no \"" + name +
+                     "\"; it is another run's checkpoint, start without --resume");
+  return found->second;
+}
+
+}  // namespace
+
+void write_checkpoint(const fs::path& path, const CheckpointView& checkpoint) {
+  Writer writer(path);
+  writer.bytes(magic, sizeof magic);
+  writer.number(version);
+  writer.number(checkpoint.arrays.size());
+  for (const auto& [name, values] : checkpoint.arrays) {
+    writer.text(name);
+    writer.number(values.size());
+    writer.bytes(values.data(), values.size_bytes());
+  }
+  writer.number(checkpoint.integers.size());
+  for (const auto& [name, value] : checkpoint.integers) {
+    writer.text(name);
+    writer.number(std::bit_cast<std::uint64_t>(value));
+  }
+  writer.number(checkpoint.texts.size());
+  for (const auto& [name, value] : checkpoint.texts) {
+    writer.text(name);
+    writer.text(value);
+  }
+  writer.commit();
+}
+
+Checkpoint read_checkpoint(const fs::path& path) {
+  Reader reader(path);
+  char found[8];
+  reader.bytes(found, sizeof found);
+  if (std::memcmp(found, magic, sizeof magic) != 0) reader.fail("is not a checkpoint");
+  if (reader.number() != version) reader.fail("is a checkpoint of another version or machine");
+  Checkpoint checkpoint;
+  checkpoint.path = path;
+  for (std::uint64_t left = reader.number(); left > 0; --left) {
+    std::string name = reader.text();
+    checkpoint.arrays.insert_or_assign(std::move(name), reader.array());
+  }
+  for (std::uint64_t left = reader.number(); left > 0; --left) {
+    std::string name = reader.text();
+    checkpoint.integers.insert_or_assign(std::move(name),
+                                         std::bit_cast<std::int64_t>(reader.number()));
+  }
+  for (std::uint64_t left = reader.number(); left > 0; --left) {
+    std::string name = reader.text();
+    checkpoint.texts.insert_or_assign(std::move(name), reader.text());
+  }
+  reader.finish();
+  return checkpoint;
+}
+
+const std::vector<double>& Checkpoint::array(const std::string& name, std::size_t size) const {
+  const auto& values = find(arrays, name, path);
+  if (values.size() != size)
+    throw InputError(path.string() + ": \"" + name + "\" holds " + std::to_string(values.size()) +
+                     " values, the run needs " + std::to_string(size) +
+                     "; it is another run's checkpoint, start without --resume");
+  return values;
+}
+
+std::int64_t Checkpoint::integer(const std::string& name) const {
+  return find(integers, name, path);
+}
+
+const std::string& Checkpoint::text(const std::string& name) const {
+  return find(texts, name, path);
+}
+
+}  // namespace tlsph

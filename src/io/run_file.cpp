@@ -1,0 +1,217 @@
+#include "tlsph/io/run_file.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cstdint>
+#include <numeric>
+
+#include "tlsph/core/error.hpp"
+
+namespace tlsph {
+namespace {
+
+constexpr std::size_t buffered_rows = 256;
+constexpr std::size_t series_chunk_rows = 4096;
+
+std::string frames_of(const FrameField& field) {
+  return "/frames/" + field.name;
+}
+std::string series_of(const SeriesQuantity& quantity) {
+  return "/series/" + quantity.name;
+}
+
+Extents frame_shape(const RunLayout& layout, const FrameField& field) {
+  Extents shape{layout.rows(field)};
+  if (field.rank != Rank::scalar) shape.push_back(layout.components(field));
+  return shape;
+}
+
+Extents series_shape(const SeriesQuantity& quantity) {
+  return quantity.components == 1 ? Extents{} : Extents{quantity.components};
+}
+
+const char* name_of(Site site) {
+  return site == Site::particles ? "particles" : "points";
+}
+
+/// Names of the components of a field, "x y" or "xx xy yx yy".
+std::vector<std::string> component_names(std::size_t dimension, Rank rank) {
+  std::vector<std::string> names{""};
+  for (int order = 0; order < static_cast<int>(rank); ++order) {
+    std::vector<std::string> longer;
+    for (const auto& name : names)
+      for (std::size_t a = 0; a < dimension; ++a) longer.push_back(name + "xyz"[a]);
+    names = std::move(longer);
+  }
+  return names;
+}
+
+/// Positions in three dimensions and the number of each vertex: what viewers want of points.
+void write_vertices(Hdf5File& file, const std::string& group, const CloudView& cloud) {
+  std::vector<double> positions(3 * cloud.size(), 0.0);
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    for (std::size_t a = 0; a < cloud.dimension; ++a)
+      positions[3 * i + a] = cloud.X[cloud.dimension * i + a];
+  std::vector<std::int32_t> vertices(cloud.size());
+  std::iota(vertices.begin(), vertices.end(), 0);
+  file.write(group + "/positions", positions, {cloud.size(), 3});
+  file.set_attribute(group + "/positions", "unit", "m");
+  file.write(group + "/vertices", vertices, {cloud.size()});
+}
+
+void expect_shape(const Hdf5File& file, const std::string& item, const Extents& row_shape,
+                  std::size_t least) {
+  if (!file.exists(item))
+    throw InputError(file.path().string() + ":" + item +
+                     ": is not there; this is another run's file, start without --resume");
+  const Extents shape = file.shape(item);
+  if (shape.empty() ||
+      !std::equal(shape.begin() + 1, shape.end(), row_shape.begin(), row_shape.end()))
+    throw InputError(file.path().string() + ":" + item +
+                     ": has the shape of another run; start without --resume");
+  if (shape[0] < least)
+    throw InputError(file.path().string() + ":" + item + ": " + std::to_string(least) +
+                     " rows are needed to go on, " + std::to_string(shape[0]) + " are there");
+}
+
+}  // namespace
+
+std::size_t RunLayout::rows(const FrameField& field) const {
+  return field.site == Site::particles ? particles : points;
+}
+
+std::size_t RunLayout::components(const FrameField& field) const {
+  return field.rank == Rank::scalar   ? 1
+         : field.rank == Rank::vector ? dimension
+                                      : dimension * dimension;
+}
+
+namespace {
+
+Hdf5File create_file(const std::filesystem::path& path, const RunLayout& layout,
+                     const RunStart& start) {
+  assert(start.particles.size() == layout.particles && start.points.size() == layout.points);
+  Hdf5File file = Hdf5File::create(path);
+  file.make_group("/scene");
+  file.set_attribute("/scene", "text", start.scene_text);
+  file.set_attribute("/scene", "file", start.scene_file);
+  file.set_attribute("/scene", "version", start.version);
+  file.set_attribute("/scene", "dimension", static_cast<std::int64_t>(layout.dimension));
+  write_cloud(file, "/particles", start.particles);
+  write_cloud(file, "/points", start.points);
+  write_vertices(file, "/xdmf/particles", start.particles);
+  write_vertices(file, "/xdmf/points", start.points);
+  file.create_series("/frames/time", {}, series_chunk_rows);
+  file.set_attribute("/frames/time", "unit", "s");
+  for (const auto& field : layout.fields) {
+    const std::string item = frames_of(field);
+    file.create_series(item, frame_shape(layout, field));
+    file.set_attribute(item, "unit", field.unit);
+    file.set_attribute(item, "site", name_of(field.site));
+    if (field.rank != Rank::scalar)
+      file.set_attribute(item, "components", component_names(layout.dimension, field.rank));
+  }
+  file.create_series("/series/time", {}, series_chunk_rows);
+  file.set_attribute("/series/time", "unit", "s");
+  for (const auto& quantity : layout.series) {
+    file.create_series(series_of(quantity), series_shape(quantity), series_chunk_rows);
+    file.set_attribute(series_of(quantity), "unit", quantity.unit);
+  }
+  return file;
+}
+
+void copy_rows(const Hdf5File& from, Hdf5File& to, const std::string& item, std::size_t rows,
+               std::size_t at_once) {
+  for (std::size_t first = 0; first < rows; first += at_once)
+    to.append(item, from.read_rows(item, first, std::min(at_once, rows - first)).values);
+}
+
+}  // namespace
+
+RunFile::RunFile(const std::filesystem::path& path, const RunLayout& layout, const RunStart& start)
+    : path_(path), file_(create_file(path.string() + ".tmp", layout, start)), layout_(layout) {
+  series_time_.reserve(buffered_rows);
+  series_values_.resize(layout_.series.size());
+  for (std::size_t q = 0; q < layout_.series.size(); ++q)
+    series_values_[q].reserve(buffered_rows * layout_.series[q].components);
+}
+
+RunFile RunFile::create(const std::filesystem::path& path, const RunLayout& layout,
+                        const RunStart& start) {
+  return RunFile(path, layout, start);
+}
+
+RunFile RunFile::resume(const std::filesystem::path& path, const RunLayout& layout,
+                        const RunStart& start, std::size_t frames, std::size_t rows) {
+  const Hdf5File old = Hdf5File::open_read_only(path);
+  expect_shape(old, "/frames/time", {}, frames);
+  expect_shape(old, "/series/time", {}, rows);
+  for (const auto& field : layout.fields)
+    expect_shape(old, frames_of(field), frame_shape(layout, field), frames);
+  for (const auto& quantity : layout.series)
+    expect_shape(old, series_of(quantity), series_shape(quantity), rows);
+
+  RunFile run(path, layout, start);
+  for (const auto& field : layout.fields) copy_rows(old, run.file_, frames_of(field), frames, 1);
+  for (const auto& quantity : layout.series)
+    copy_rows(old, run.file_, series_of(quantity), rows, buffered_rows);
+  copy_rows(old, run.file_, "/series/time", rows, buffered_rows);
+  run.frame_times_ = old.read_rows("/frames/time", 0, frames).values;
+  run.commit(run.frame_times_);
+  run.frames_ = frames;
+  run.rows_ = rows;
+  return run;
+}
+
+void RunFile::write_frame(double time, std::span<const std::span<const double>> fields) {
+  assert(fields.size() == layout_.fields.size());
+  for (std::size_t f = 0; f < fields.size(); ++f) {
+    assert(fields[f].size() ==
+           layout_.rows(layout_.fields[f]) * layout_.components(layout_.fields[f]));
+    file_.append(frames_of(layout_.fields[f]), fields[f]);
+  }
+  commit(std::span(&time, 1));
+  frame_times_.push_back(time);
+  ++frames_;
+}
+
+void RunFile::write_series(double time, std::span<const double> values) {
+  if (series_time_.size() == buffered_rows) flush();
+  series_time_.push_back(time);
+  for (std::size_t q = 0; q < layout_.series.size(); ++q) {
+    const auto own = values.first(layout_.series[q].components);
+    series_values_[q].insert(series_values_[q].end(), own.begin(), own.end());
+    values = values.subspan(own.size());
+  }
+  assert(values.empty());
+  ++rows_;
+}
+
+void RunFile::append_series() {
+  for (std::size_t q = 0; q < layout_.series.size(); ++q) {
+    file_.append(series_of(layout_.series[q]), series_values_[q]);
+    series_values_[q].clear();
+  }
+}
+
+void RunFile::commit(std::span<const double> frame_time) {
+  append_series();
+  // Two flushes: a single one may hand over `time` before the rest.
+  file_.flush();
+  file_.append("/frames/time", frame_time);
+  file_.append("/series/time", series_time_);
+  series_time_.clear();
+  file_.flush();
+  if (file_.path() != path_) file_.rename(path_);
+}
+
+void RunFile::flush() {
+  commit({});
+}
+
+void RunFile::close() {
+  flush();
+  file_.close();
+}
+
+}  // namespace tlsph
