@@ -9,7 +9,7 @@
 
 namespace tlsph {
 
-[[nodiscard]] BodyScene read_body(const TableView& view, int dimension);
+[[nodiscard]] BodyScene read_body(const TableView& view, int dimension, Formulation formulation);
 
 /// Two opposite corners of a box, `[lower, upper]`; in 1D also `[from, to]`.
 struct CornerPair {

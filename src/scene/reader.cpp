@@ -184,7 +184,7 @@ Scene build(const TableView& root) {
   scene.boundary_solver = root.choice<BoundarySolver>("boundary_solver");
   scene.boundary_solver_place = root.place_of("boundary_solver");
   for (const char* name : {"body", "material", "time"}) root.require(name);
-  scene.body = read_body(root.table("body"), scene.dimension);
+  scene.body = read_body(root.table("body"), scene.dimension, scene.formulation);
   scene.kernel = read_kernel(root.table("kernel"), scene.formulation);
   scene.stabiliser = read_stabiliser(root.table("stabiliser"), scene);
   scene.materials = read_materials(root.table("material"), scene.dimension);

@@ -59,6 +59,8 @@ std::vector<Key> all_keys() {
        "than 1 % is refused"},
       {"body", "placement", text, "", "", "\"on-boundary\"", choices<Placement>(),
        "nodes on the boundary (with half and quarter volumes), or at the centres of the cells"},
+      {"body", "fit", flag, "", "", "(true for stress-point and variational, on-boundary, 2D)", "",
+       "nodes follow curved and slanted edges instead of approaching them in stairs"},
       {"body", "jitter", number, "", "spacings", "0", "[0, 0.4]",
        "largest random shift of interior nodes"},
       {"body", "seed", integer, "", "", "1", ">= 0", "of the random shifts"},

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// A run described: what the user's scene file says, in SI units, defaults filled in. Plain data; the
-/// reader is in scene/reader.hpp.
+/// A run described: what the user's scene file says, in SI units, defaults filled in. Plain data;
+/// the reader is in scene/reader.hpp.
 
 #include <array>
 #include <cstdint>
@@ -17,8 +17,8 @@
 namespace tlsph {
 
 enum class Formulation { thesis, mirror, variational, stress_point };
-/// How `thesis` closes its boundary: the modified SPH matrix (2.46) with the coupling the seed drops,
-/// the same as printed, or the η corrections (2.42), (2.45) in 1D.
+/// How `thesis` closes its boundary: the modified SPH matrix (2.46) with the coupling the seed
+/// drops, the same as printed, or the η corrections (2.42), (2.45) in 1D.
 enum class GhostTreatment { consistent, as_printed, eta };
 enum class BoundarySolver { automatic, cholmod, umfpack };
 enum class Placement { on_boundary, cell_centred };
@@ -40,6 +40,8 @@ struct BodyScene {
   std::variant<std::monostate, Shape<1>, Shape<2>> shape;
   double spacing = 0.0;  // [m]
   Placement placement = Placement::on_boundary;
+  bool fit =
+      true;  // outer nodes on curved and slanted edges instead of stairs (particles/fitted.hpp)
   double jitter = 0.0;  // share of the spacing, interior nodes only
   std::uint64_t seed = 1;
   std::vector<NamedBox> tags;
@@ -47,8 +49,9 @@ struct BodyScene {
 };
 
 struct KernelScene {
-  std::string family;             // default by formulation
-  std::optional<double> support;  // full radius in spacings; empty = nodes of the cell (stress-point)
+  std::string family;  // default by formulation
+  std::optional<double>
+      support;  // full radius in spacings; empty = nodes of the cell (stress-point)
   GradientCorrection correction = GradientCorrection::gradient;
   Place place;
 };
@@ -91,7 +94,16 @@ struct TimeScene {
   Place place;
 };
 
-enum class Quantity { displacement, velocity, acceleration, deformation_gradient, pk1, cauchy, pressure, von_mises };
+enum class Quantity {
+  displacement,
+  velocity,
+  acceleration,
+  deformation_gradient,
+  pk1,
+  cauchy,
+  pressure,
+  von_mises
+};
 
 struct ProbeScene {
   std::string name;
@@ -110,17 +122,17 @@ struct InitialField {
 };
 
 struct OutputScene {
-  int frames = 50;            // full fields, evenly in time, beside the initial one; 0 = none
-  int probe_every = 1;        // steps between rows of probes.csv
-  int energy_every = 0;       // steps between rows of the energy ledger; 0 = about 200 rows a run
-  double checkpoint = 60.0;   // wall seconds between checkpoints
-  int checkpoint_steps = 0;   // steps between checkpoints, 0 = by wall clock only
+  int frames = 50;           // full fields, evenly in time, beside the initial one; 0 = none
+  int probe_every = 1;       // steps between rows of probes.csv
+  int energy_every = 0;      // steps between rows of the energy ledger; 0 = about 200 rows a run
+  double checkpoint = 60.0;  // wall seconds between checkpoints
+  int checkpoint_steps = 0;  // steps between checkpoints, 0 = by wall clock only
   std::vector<std::string> fields = {"displacement", "velocity", "pk1"};
 };
 
 struct Scene {
-  std::string file;    // path as given
-  std::string text;    // the scene as run, overrides applied (TOML)
+  std::string file;  // path as given
+  std::string text;  // the scene as run, overrides applied (TOML)
   std::string title;
   int dimension = 2;
   Formulation formulation = Formulation::stress_point;

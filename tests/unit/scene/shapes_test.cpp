@@ -52,6 +52,15 @@ INSTANTIATE_TEST_SUITE_P(
                    "{disc = {centre = [0, 0], radius = 1}}]}, {box = [[-3, -3], [3, 0]]}]}",
                    1.5 * pi}));
 
+TEST(FitKey, IsOnWhereNodesCanFollowTheBoundary) {
+  EXPECT_TRUE(sheet_with({}).body.fit);
+  EXPECT_TRUE(sheet_with({"formulation=variational"}).body.fit);
+  EXPECT_FALSE(sheet_with({"body.fit=false"}).body.fit);
+  EXPECT_FALSE(sheet_with({"formulation=mirror"}).body.fit);
+  EXPECT_FALSE(sheet_with({"formulation=variational", "body.placement=cell-centred"}).body.fit);
+  EXPECT_FALSE(bar_with({}).body.fit);
+}
+
 TEST(TagKey, NamesABox) {
   const Scene scene = sheet_with({"body.tags=[{name=\"spot\", box=[[0.5, 0.5], [1, 1]]}]"});
 
