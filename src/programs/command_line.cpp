@@ -1,0 +1,89 @@
+#include "command_line.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include "tlsph/core/error.hpp"
+#include "tlsph/simulation/version.hpp"
+
+namespace tlsph {
+namespace {
+
+void add_scene(CLI::App& command, CommandLine& line) {
+  command.add_option("SCENE", line.scene, "scene file (TOML)")->required();
+  // One value each: what follows belongs to the next option, even where it looks like a list.
+  command
+      .add_option("--set", line.overrides,
+                  "override a key of the scene, e.g. body.spacing=1e-3 or "
+                  "boundary[0].traction.amplitude=-2e5; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+void add_out(CLI::App& command, CommandLine& line, const std::string& standard) {
+  command.add_option("--out", line.out, "directory for the results" + standard)->type_name("DIR");
+}
+
+void add_threads(CLI::App& command, CommandLine& line) {
+  command.add_option("--threads", line.threads, "threads; default: as many as pay")
+      ->type_name("N")
+      ->check(CLI::Range(1, 4096));
+}
+
+void add_quiet(CLI::App& command, CommandLine& line) {
+  command.add_flag("--quiet", line.quiet, "print nothing but errors");
+}
+
+void add_run(CLI::App& app, CommandLine& line) {
+  auto* command = app.add_subcommand("run", "run a scene");
+  add_scene(*command, line);
+  add_out(*command, line, "; default: out/<name of the scene>");
+  add_threads(*command, line);
+  add_quiet(*command, line);
+  command->add_flag("--resume", line.resume, "go on from the checkpoint in the directory");
+  command->callback([&line] { line.command = Command::run; });
+}
+
+void add_plan(CLI::App& app, CommandLine& line) {
+  auto* command =
+      app.add_subcommand("plan", "say what would be modelled and what it costs; run nothing");
+  add_scene(*command, line);
+  command->callback([&line] { line.command = Command::plan; });
+}
+
+void add_export(CLI::App& app, CommandLine& line) {
+  auto* command = app.add_subcommand(
+      "export", "write every operator as Matrix Market file and into operators.h5");
+  add_scene(*command, line);
+  command->add_option("--out", line.out, "directory for the matrices")
+      ->type_name("DIR")
+      ->required();
+  add_quiet(*command, line);
+  command->callback([&line] { line.command = Command::export_operators; });
+}
+
+}  // namespace
+
+std::optional<CommandLine> parse_command_line(int argc, const char* const* argv) {
+  CommandLine line;
+  CLI::App app{"Total-Lagrangian SPH elastodynamics as sparse matrices", "tlsph"};
+  app.set_version_flag("--version", version());
+  app.require_subcommand(1);
+  app.get_formatter()->column_width(34);
+  add_run(app, line);
+  add_plan(app, line);
+  add_export(app, line);
+  app.add_subcommand("scene-reference", "every key of a scene: type, unit, default, range")
+      ->callback([&line] { line.command = Command::scene_reference; });
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) {  // help or version
+      app.exit(error);
+      return std::nullopt;
+    }
+    throw InputError("tlsph: " + std::string(error.what()) + "; see tlsph --help");
+  }
+  return line;
+}
+
+}  // namespace tlsph

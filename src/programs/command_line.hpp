@@ -1,0 +1,28 @@
+#pragma once
+/// \file
+/// What the user typed, as plain data: the only door to the command-line library.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tlsph {
+
+enum class Command { run, plan, export_operators, scene_reference };
+
+struct CommandLine {
+  Command command = Command::run;
+  std::filesystem::path scene;
+  std::vector<std::string> overrides;  // key=value, in order
+  std::filesystem::path out;           // empty: the default of the command
+  int threads = 0;                     // 0: as many as pay
+  bool quiet = false;
+  bool resume = false;
+};
+
+/// Reads the arguments. Empty if all the user wanted was help or the version, which is printed
+/// then. InputError for anything else that is no command.
+[[nodiscard]] std::optional<CommandLine> parse_command_line(int argc, const char* const* argv);
+
+}  // namespace tlsph

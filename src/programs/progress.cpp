@@ -1,0 +1,65 @@
+#include "progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tlsph {
+namespace {
+
+std::string duration(double seconds) {
+  const auto whole = static_cast<long>(std::ceil(seconds));
+  if (whole >= 3600) return fmt::format("{}h{:02}m", whole / 3600, whole % 3600 / 60);
+  if (whole >= 60) return fmt::format("{}m{:02}s", whole / 60, whole % 60);
+  return fmt::format("{}s", whole);
+}
+
+}  // namespace
+
+ProgressDisplay::Style ProgressDisplay::style_for(std::FILE* stream, bool quiet) {
+  if (quiet) return Style::none;
+  return isatty(fileno(stream)) != 0 ? Style::bar : Style::lines;
+}
+
+std::string ProgressDisplay::remaining(double share) const {
+  const double done = share - first_share_;
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
+  if (done <= 0.0 || passed.count() < 1.0) return "";
+  return fmt::format(", {} left", duration(passed.count() * (1.0 - share) / done));
+}
+
+void ProgressDisplay::show(const Progress& progress) {
+  if (style_ == Style::none || progress.end <= 0.0) return;
+  const double share = std::clamp(progress.time / progress.end, 0.0, 1.0);
+  if (first_share_ < 0.0) {
+    first_share_ = share;
+    start_ = std::chrono::steady_clock::now();
+    tenths_ = static_cast<int>(share * 10.0);
+  }
+  const std::string where =
+      fmt::format("{:3.0f} %  step {} of {}, t = {:.4g} s{}", share * 100.0, progress.step,
+                  progress.steps, progress.time, remaining(share));
+  if (style_ == Style::bar) {
+    constexpr int width = 30;
+    const int filled = static_cast<int>(share * width);
+    // \x1b[K clears what a longer line left behind.
+    fmt::print(stream_, "\r[{:<{}}] {}\x1b[K", std::string(static_cast<std::size_t>(filled), '='),
+               width, where);
+    visible_ = true;
+  } else if (static_cast<int>(share * 10.0) > tenths_) {
+    tenths_ = static_cast<int>(share * 10.0);
+    fmt::print(stream_, "{}\n", where);
+  }
+  std::fflush(stream_);
+}
+
+void ProgressDisplay::clear() {
+  if (!visible_) return;
+  fmt::print(stream_, "\r\x1b[K");
+  std::fflush(stream_);
+  visible_ = false;
+}
+
+}  // namespace tlsph

@@ -1,0 +1,43 @@
+#pragma once
+/// \file
+/// How far a run is: a bar on a terminal, a line for every tenth otherwise, or nothing.
+
+#include <chrono>
+#include <cstdio>
+#include <functional>
+#include <string>
+
+#include "tlsph/simulation/simulation.hpp"
+
+namespace tlsph {
+
+class ProgressDisplay {
+ public:
+  enum class Style { none, lines, bar };
+
+  /// `--quiet` says none; else the kind of stream decides.
+  static Style style_for(std::FILE* stream, bool quiet);
+
+  ProgressDisplay(std::FILE* stream, Style style) : stream_(stream), style_(style) {}
+  ProgressDisplay(const ProgressDisplay&) = delete;
+  ProgressDisplay& operator=(const ProgressDisplay&) = delete;
+  ProgressDisplay(ProgressDisplay&&) = delete;
+  ProgressDisplay& operator=(ProgressDisplay&&) = delete;
+  /// Takes the bar away, so that what follows starts on a clean line.
+  ~ProgressDisplay() { clear(); }
+
+  void show(const Progress& progress);
+  void clear();
+
+ private:
+  [[nodiscard]] std::string remaining(double share) const;
+
+  std::FILE* stream_;
+  Style style_;
+  bool visible_ = false;
+  int tenths_ = 0;
+  double first_share_ = -1.0;  // a resumed run does not start at zero
+  std::chrono::steady_clock::time_point start_{};
+};
+
+}  // namespace tlsph

@@ -1,0 +1,26 @@
+#include "report.hpp"
+
+#include <fmt/format.h>
+
+namespace tlsph {
+
+std::string run_report(const Summary& s, const std::filesystem::path& out) {
+  std::string text = fmt::format("{} particles, {} material points, {} in {}D, kernel {}\n",
+                                 s.particles, s.points, s.formulation, s.dimension, s.kernel);
+  text += fmt::format("{} steps to t = {:.6g} s, dt = {:.4g} s (critical {:.4g} s)\n", s.steps,
+                      s.end_time, s.dt, s.dt_critical);
+  text +=
+      fmt::format("{:.3g} s stepping on {} thread{}, {:.3g} ns per particle and step\n",
+                  s.wall_stepping, s.threads, s.threads == 1 ? "" : "s", s.ns_per_particle_step);
+  text += fmt::format("energy drift {:.1e} of the largest energy\n", s.energy.drift_relative);
+  if (s.errors)
+    text += fmt::format(
+        "errors against the exact solution: displacement {:.3e}, velocity {:.3e}, "
+        "stress {:.3e}\n",
+        s.errors->displacement, s.errors->velocity, s.errors->stress);
+  if (s.interrupted)
+    text += fmt::format("interrupted; the state is saved, --resume goes on from here\n");
+  return text + fmt::format("results in {}\n", out.string());
+}
+
+}  // namespace tlsph
