@@ -35,6 +35,9 @@ class Reflections {
     return sum(x, t, load, -mirror_);
   }
 
+  /// P_yy/P_xx.
+  [[nodiscard]] double lateral_share() const { return bar_.lateral_modulus / bar_.modulus; }
+
  private:
   /// +1 if ξ grows with the coordinate. Mirroring the bar turns u round and leaves P.
   [[nodiscard]] double sense() const { return bar_.loaded == BarWave::Side::lower ? 1.0 : -1.0; }
@@ -73,13 +76,12 @@ ExactSolution<D> bar_wave(const BarWave& bar) {
   if (!(bar.length > 0 && bar.modulus > 0 && bar.density > 0))
     throw InputError("a bar wave needs a positive length, modulus and density");
   const Reflections wave(bar);
-  const double lateral = bar.lateral_modulus / bar.modulus;
   return {[wave](const Vector<D>& X, double t) { return along_x<D>(wave.displacement(X[0], t)); },
           [wave](const Vector<D>& X, double t) { return along_x<D>(wave.velocity(X[0], t)); },
-          [wave, lateral](const Vector<D>& X, double t) {
+          [wave](const Vector<D>& X, double t) {
             Tensor<D> P = Tensor<D>::Zero();
             P(0, 0) = wave.stress(X[0], t);
-            if constexpr (D == 2) P(1, 1) = lateral * P(0, 0);
+            if constexpr (D == 2) P(1, 1) = wave.lateral_share() * P(0, 0);
             return P;
           }};
 }
