@@ -1,3 +1,17 @@
+# Headers that nearly every source includes, parsed once for each kind of target; a clean build takes
+# half as long. The presets ci and tidy do without, so a source that leans on them is found there.
+function(tlsph_precompile name)
+  cmake_parse_arguments(precompile "" "" "HEADERS;LINK" ${ARGN})
+  file(CONFIGURE OUTPUT ${name}.cpp CONTENT "// Nothing but the headers.\n")
+  add_library(${name} OBJECT "${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp")
+  target_link_libraries(${name} PRIVATE tlsph_settings ${precompile_LINK})
+  target_precompile_headers(${name} PRIVATE ${precompile_HEADERS})
+endfunction()
+
+set(TLSPH_COMMON_HEADERS <Eigen/Core> <Eigen/SparseCore> <fmt/format.h> <algorithm> <array> <cmath> <filesystem>
+    <functional> <map> <memory> <optional> <string> <string_view> <utility> <variant> <vector>)
+tlsph_precompile(tlsph_precompiled HEADERS ${TLSPH_COMMON_HEADERS} LINK Eigen3::Eigen fmt::fmt OpenMP::OpenMP_CXX)
+
 # A room is a folder below src/ with its headers below include/tlsph/; it becomes one library,
 # tlsph_<room>, that links exactly the rooms and third parties it may include.
 # Usage: tlsph_room(kernels ROOMS core LINK fmt::fmt)
@@ -8,6 +22,7 @@ function(tlsph_room name)
   if(sources)
     add_library(tlsph_${name} STATIC ${sources})
     set(scope PUBLIC)
+    target_precompile_headers(tlsph_${name} REUSE_FROM tlsph_precompiled)
     target_link_libraries(tlsph_${name} PRIVATE ${room_PRIVATE_LINK})
   else()
     add_library(tlsph_${name} INTERFACE)
