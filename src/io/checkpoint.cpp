@@ -26,9 +26,10 @@ class CheckSum {
       std::memcpy(&word, next, 8);
       mix(word);
     }
+    if (count == 0) return;
     std::uint64_t rest = 0;
     std::memcpy(&rest, next, count);
-    if (count > 0) mix(rest);
+    mix(rest);
   }
   [[nodiscard]] std::uint64_t value() const { return sum_; }
 

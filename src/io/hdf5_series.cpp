@@ -9,6 +9,7 @@ namespace tlsph {
 namespace {
 
 constexpr std::size_t wanted_chunk = 256 << 10;  // bytes
+constexpr hsize_t most_rows = 64;                // so that few small rows make a small file
 constexpr hsize_t largest_chunk = hsize_t{1} << 30;
 
 /// Few, large chunks keep the index of a series in one node (see half_index_node). They cost
@@ -19,7 +20,8 @@ std::vector<hsize_t> chunk_of(const Extents& row_shape, std::size_t chunk_rows) 
   for (std::size_t length : row_shape) chunk.push_back(std::max<std::size_t>(length, 1));
   const auto row_bytes =
       std::accumulate(chunk.begin(), chunk.end(), hsize_t{8}, std::multiplies<>());
-  chunk[0] = chunk_rows > 0 ? chunk_rows : std::max<hsize_t>(wanted_chunk / row_bytes, 1);
+  chunk[0] =
+      chunk_rows > 0 ? chunk_rows : std::clamp<hsize_t>(wanted_chunk / row_bytes, 1, most_rows);
   if (row_bytes > largest_chunk && chunk.size() > 1) {  // the library wants less than 4 GiB
     const hsize_t pieces = (row_bytes + largest_chunk - 1) / largest_chunk;
     chunk[0] = 1;

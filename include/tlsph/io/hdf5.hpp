@@ -62,7 +62,7 @@ class Hdf5File {
                      const std::vector<std::string>& texts);
 
   /// A series: 0 rows, each an array of doubles of `row_shape`. Rows are stored in chunks of
-  /// `chunk_rows` (0: as many as make about 256 KiB, at least one).
+  /// `chunk_rows` (0: as many as make 256 KiB, 1 to 64).
   void create_series(const std::string& item, const Extents& row_shape, std::size_t chunk_rows = 0);
   /// Adds rows, `values` holding a whole number of them. Goes from `values` to the file, no copy.
   void append(const std::string& item, std::span<const double> values);
