@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -165,7 +166,7 @@ void start(const Discretisation<D>& disc, State<D>& state, double dt) {
 }
 
 template <int D>
-void advance(const Discretisation<D>& disc, State<D>& state, double dt) {
+void advance(const Discretisation<D>& disc, State<D>& state, double dt, double next_time) {
   const double kick = 0.5 * (state.last_dt + dt);
   const Index dofs = state.u.size();
   double* u = state.u.data();
@@ -178,7 +179,7 @@ void advance(const Discretisation<D>& disc, State<D>& state, double dt) {
     u[k] += dt * v[k];
   }
   ++state.step;
-  state.time += dt;
+  state.time = next_time;
   state.last_dt = dt;
   for (const auto& motion : disc.constraints.moved) {
     const double next = value(disc.constraints.curves[motion.curve], state.time);
@@ -193,7 +194,7 @@ void advance(const Discretisation<D>& disc, State<D>& state, double dt) {
   template void evaluate<D>(const Discretisation<D>&, State<D>&);                                \
   template double next_velocity<D>(const Discretisation<D>&, const State<D>&, double, Index);    \
   template void start<D>(const Discretisation<D>&, State<D>&, double);                           \
-  template void advance<D>(const Discretisation<D>&, State<D>&, double);
+  template void advance<D>(const Discretisation<D>&, State<D>&, double, double);
 TLSPH_INSTANTIATE(1)
 TLSPH_INSTANTIATE(2)
 #undef TLSPH_INSTANTIATE

@@ -1,5 +1,7 @@
 #include "tlsph/observe/probes.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -47,27 +49,27 @@ Probes<D>::Probes(const Discretisation<D>& disc, const std::vector<ProbeRequest<
     for (const std::string& stem : request.quantities) {
       const auto* entry = std::find_if(names.begin(), names.end(),
                                        [&](const auto& pair) { return pair.first == stem; });
-      if (entry == names.end()) throw InputError("probe." + request.name + ": no quantity " + stem);
+      if (entry == names.end()) throw InputError(fmt::format("probe \"{}\": no quantity {}", request.name, stem));
       probe.kinds.push_back(entry->second);
-      const auto add = [&](const std::string& suffix) {
-        columns_.push_back(request.name + "." + stem + suffix);
+      const auto add = [&](std::string_view suffix) {
+        columns_.push_back(fmt::format("{}.{}{}", request.name, stem, suffix));
       };
       switch (entry->second) {
         case Kind::displacement:
         case Kind::velocity:
         case Kind::acceleration:
-          for (std::size_t i = 0; i < D; ++i) add("_" + std::string(axes[i]));
+          for (std::size_t i = 0; i < D; ++i) add(fmt::format("_{}", axes[i]));
           break;
         case Kind::deformation_gradient:
         case Kind::pk1:
           for (std::size_t i = 0; i < D; ++i)
             for (std::size_t a = 0; a < D; ++a)
-              add("_" + std::string(axes[i]) + std::string(axes[a]));
+              add(fmt::format("_{}{}", axes[i], axes[a]));
           break;
         case Kind::cauchy:
           for (std::size_t i = 0; i < D; ++i)
             for (std::size_t j = i; j < D; ++j)
-              add("_" + std::string(axes[i]) + std::string(axes[j]));
+              add(fmt::format("_{}{}", axes[i], axes[j]));
           break;
         case Kind::pressure:
         case Kind::von_mises:

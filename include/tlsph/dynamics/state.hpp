@@ -45,9 +45,10 @@ template <int D>
 template <int D>
 void start(const Discretisation<D>& discretisation, State<D>& state, double dt);
 
-/// One step of the central difference: v_{n+½} = v_{n−½} + Δt a_n, u_{n+1} = u_n + Δt v_{n+½}. Needs
-/// `evaluate` before; leaves H, P and f behind at t_n.
+/// One step of the central difference: v_{n+½} = v_{n−½} + Δt a_n, u_{n+1} = u_n + Δt v_{n+½}, to
+/// `next_time` = t_n + dt. Needs `evaluate` before; leaves H, P and f behind at t_n.
 template <int D>
-void advance(const Discretisation<D>& discretisation, State<D>& state, double dt);
+void advance(const Discretisation<D>& discretisation, State<D>& state, double dt,
+             double next_time);
 
 }  // namespace tlsph

@@ -1,0 +1,171 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "tlsph/dynamics/critical_step.hpp"
+#include "tlsph/io/files.hpp"
+#include "tlsph/io/json.hpp"
+#include "tlsph/io/matrix_market.hpp"
+#include "tlsph/io/operators_file.hpp"
+#include "tlsph/operators/gradients.hpp"
+#include "tlsph/scene/names.hpp"
+#include "tlsph/simulation/builder.hpp"
+#include "tlsph/simulation/simulation.hpp"
+#include "tlsph/simulation/version.hpp"
+
+namespace tlsph {
+namespace {
+
+constexpr std::array<const char*, 3> axes = {"x", "y", "z"};
+
+std::span<const double> flat(const auto& matrix) {
+  return {matrix.data(), static_cast<std::size_t>(matrix.size())};
+}
+
+/// Writes operators one by one and describes each in the report.
+class Exporter {
+ public:
+  Exporter(const std::filesystem::path& directory, const CloudView& particles,
+           const CloudView& points)
+      : directory_(directory), file_(directory / "operators.h5", particles, points) {}
+
+  void write(const std::string& name, const SparseMatrix& matrix) {
+    write_matrix_market(directory_ / (name + ".mtx"), matrix);
+    file_.write(name, matrix);
+    Json entry;
+    entry.set("rows", matrix.rows());
+    entry.set("columns", matrix.cols());
+    entry.set("nonzeros", matrix.nonZeros());
+    if (matrix.rows() == matrix.cols()) {
+      const double size = matrix.norm();
+      const SparseMatrix transposed = matrix.transpose();
+      entry.set("symmetry_error",
+                size > 0.0 ? SparseMatrix(matrix - transposed).norm() / size : 0.0);
+    }
+    report_.set("operators." + name, entry);
+  }
+  void set(const std::string& key, auto value) { report_.set(key, value); }
+  [[nodiscard]] Json& report() { return report_; }
+  void finish() {
+    file_.close();
+    report_.write(directory_ / "report.json");
+  }
+
+ private:
+  std::filesystem::path directory_;
+  OperatorsFile file_;
+  Json report_;
+};
+
+/// max |G^a 1| and max |G^a X^b − δ_ab|, both over rows and directions; G in units of 1/Δ.
+template <int D>
+void report_consistency(Exporter& out, const Discretisation<D>& disc) {
+  double row_sum = 0.0;
+  double moment = 0.0;
+  double adjointness = 0.0;
+  double size = 0.0;
+  const int components = disc.gradient.per_component() ? D : 1;
+  for (int i = 0; i < components; ++i)
+    for (int a = 0; a < D; ++a) {
+      const SparseMatrix G = disc.gradient.matrix(a, i);
+      const ScalarField ones = G * ScalarField::Ones(G.cols());
+      row_sum = std::max(row_sum, ones.cwiseAbs().maxCoeff() * disc.spacing);
+      for (int b = 0; b < D; ++b) {
+        const ScalarField linear = G * disc.particles.X.col(b);
+        moment = std::max(moment, (linear.array() - (a == b ? 1.0 : 0.0)).abs().maxCoeff());
+      }
+      const SparseMatrix force = disc.divergence.matrix(a, i);
+      const SparseMatrix adjoint = SparseMatrix(G.transpose()) * disc.points.V.asDiagonal();
+      adjointness += SparseMatrix(force + adjoint).squaredNorm();
+      size += force.squaredNorm();
+    }
+  out.set("gradient.row_sum_residual", row_sum);
+  out.set("gradient.linear_moment_residual", moment);
+  out.set("gradient.adjointness_error", size > 0.0 ? std::sqrt(adjointness / size) : 0.0);
+}
+
+template <int D>
+void write_vector_operator(Exporter& out, const char* letter, const VectorOperator<D>& op) {
+  for (int a = 0; a < D; ++a) {
+    if (!op.per_component()) {
+      out.write(fmt::format("{}_{}", letter, axes[static_cast<std::size_t>(a)]), op.matrix(a));
+      continue;
+    }
+    // Mirrored boundaries: the weights of each component, G_x_ux acts on u_x.
+    for (int i = 0; i < D; ++i)
+      out.write(fmt::format("{}_{}_u{}", letter, axes[static_cast<std::size_t>(a)],
+                            axes[static_cast<std::size_t>(i)]),
+                op.matrix(a, i));
+  }
+}
+
+template <int D>
+void export_in(const Scene& scene, const std::filesystem::path& directory) {
+  const Discretisation<D> disc = build<D>(scene);
+  make_output_directory(directory);
+  std::vector<std::int64_t> tags(static_cast<std::size_t>(disc.nodes()), 0);
+  VectorField<D> X = disc.particles.X;
+  ScalarField V = disc.particles.V;
+  if (disc.ghosts) {
+    const GhostLattice<D>& lattice = disc.ghosts->lattice();
+    X = lattice.X;
+    V = ScalarField::Constant(X.rows(), disc.particles.spacings.prod());
+    V.head(disc.nodes()) = disc.particles.V;
+    tags.resize(static_cast<std::size_t>(X.rows()), std::int64_t{1} << 62);
+  }
+  CloudView particles{D, flat(X), flat(V), tags, {}};
+  for (std::size_t bit = 0; bit < disc.particles.patches.size() && bit < 62; ++bit) {
+    particles.patches.push_back(disc.particles.patches[bit].name);
+    for (const int node : disc.particles.patches[bit].nodes)
+      tags[static_cast<std::size_t>(node)] |= std::int64_t{1} << bit;
+  }
+  Exporter out(directory, particles, {D, flat(disc.points.X), flat(disc.points.V)});
+  out.set("scene", scene.file);
+  out.set("version", version());
+  out.set("dimension", D);
+  out.set("formulation", name_of(scene.formulation));
+  out.set("particles", disc.nodes());
+  out.set("ghosts", disc.ghosts ? disc.ghosts->lattice().ghosts() : Index{0});
+  out.set("points", disc.points.size());
+
+  if (disc.ghosts) {
+    out.write("W", disc.ghosts->kernel_matrix());
+    write_vector_operator<D>(out, "G", disc.ghosts->plain_gradient());
+    out.report().set("boundary_systems", disc.ghosts->report());
+  } else {
+    if (scene.kernel.support) {
+      const auto kernel = kernel_by_name(scene.kernel.family);
+      out.write("W", kernel_matrix<D>(*kernel, *scene.kernel.support * disc.spacing,
+                                      disc.particles.X, disc.particles.V));
+    }
+    write_vector_operator<D>(out, "G", disc.gradient);
+    report_consistency<D>(out, disc);
+  }
+  write_vector_operator<D>(out, "D", disc.divergence);
+  SparseMatrix mass(disc.nodes(), disc.nodes());
+  mass.setIdentity();
+  mass.diagonal() = disc.mass;
+  out.write("M", mass);
+  if (disc.stiffness.nonZeros() > 0) out.write("S", disc.stiffness);
+  if (disc.viscosity.nonZeros() > 0) out.write("C", disc.viscosity);
+
+  InitialState<D> initial = build_initial<D>(scene, disc);
+  State<D> state =
+      make_state<D>(disc, std::move(initial.displacement), std::move(initial.velocity));
+  evaluate<D>(disc, state);
+  const CriticalStep critical = critical_step<D>(disc, state);
+  out.set("spectrum.dt_critical", critical.dt);
+  out.set("spectrum.dt_critical_scaled", critical.scaled);
+  out.set("spectrum.largest_angular_frequency", 2.0 / critical.dt);
+  if (critical.growth) out.set("spectrum.largest_growth_rate", *critical.growth);
+  out.finish();
+}
+
+}  // namespace
+
+void export_operators(const Scene& scene, const std::filesystem::path& directory) {
+  scene.dimension == 1 ? export_in<1>(scene, directory) : export_in<2>(scene, directory);
+}
+
+}  // namespace tlsph

@@ -1,0 +1,82 @@
+#include <omp.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+
+#include "run_loop.hpp"
+#include "stopwatch.hpp"
+#include "tlsph/io/files.hpp"
+#include "tlsph/scene/names.hpp"
+#include "tlsph/simulation/builder.hpp"
+#include "tlsph/simulation/version.hpp"
+
+namespace tlsph {
+namespace {
+
+/// Below this many particles a second thread costs more than it brings.
+constexpr Index one_thread_below = 2000;
+
+double peak_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) * 1024.0;
+}
+
+template <int D>
+void describe(const Scene& scene, const Discretisation<D>& disc, Summary& summary) {
+  summary.scene = scene.file;
+  summary.title = scene.title;
+  summary.version = version();
+  summary.dimension = D;
+  summary.formulation = name_of(scene.formulation);
+  summary.kernel = scene.kernel.family;
+  summary.support = scene.kernel.support;
+  summary.particles = disc.nodes();
+  summary.points = disc.points.size();
+  summary.spacing = disc.spacing;
+  const VectorOperator<D>& G = disc.ghosts ? disc.ghosts->plain_gradient() : disc.gradient;
+  if (disc.ghosts) {
+    summary.ghosts = disc.ghosts->lattice().ghosts();
+    summary.boundary_solver = disc.ghosts->solver();
+  }
+  summary.nonzeros = G.nonzeros();
+  summary.neighbours_mean =
+      static_cast<double>(G.nonzeros()) / static_cast<double>(std::max<Index>(1, G.rows()));
+}
+
+template <int D>
+Summary run_in(const Scene& scene, const RunOptions& options) {
+  const Stopwatch setup;
+  omp_set_num_threads(options.threads > 0 ? options.threads : omp_get_num_procs());
+  const auto disc = build<D>(scene);
+  if (options.threads == 0 && disc.nodes() < one_thread_below) omp_set_num_threads(1);
+  Summary summary;
+  summary.threads = omp_get_max_threads();
+  describe<D>(scene, disc, summary);
+  summary.wall_setup = setup.seconds();
+  const auto write = [&] {
+    summary.peak_memory_bytes = peak_memory();
+    if (!options.out.empty())
+      write_text_file(options.out / "summary.json", summary.json());
+  };
+  try {
+    RunLoop<D>(scene, options, disc).run(summary);
+  } catch (const NumericalError&) {
+    write();
+    throw;
+  }
+  write();
+  return summary;
+}
+
+}  // namespace
+
+Summary run(const Scene& scene, const RunOptions& options) {
+  return scene.dimension == 1 ? run_in<1>(scene, options) : run_in<2>(scene, options);
+}
+
+std::filesystem::path default_output(const Scene& scene) {
+  return std::filesystem::path("out") / std::filesystem::path(scene.file).stem();
+}
+
+}  // namespace tlsph

@@ -1,0 +1,106 @@
+#include <omp.h>
+
+#include "run_loop.hpp"
+#include "stopwatch.hpp"
+
+namespace tlsph {
+namespace {
+
+/// Doubles of a run that are no fields, in the order in which a checkpoint holds them.
+template <int D>
+constexpr std::size_t numbers = 19 + 2 * D;
+
+std::span<const double> flat(const auto& matrix) {
+  return {matrix.data(), static_cast<std::size_t>(matrix.size())};
+}
+
+}  // namespace
+
+template <int D>
+bool RunLoop<D>::checkpoint_due() const {
+  if (!output_ || state_.step == 0) return false;
+  if (scene_.output.checkpoint_steps > 0)
+    return state_.step % scene_.output.checkpoint_steps == 0;
+  return state_.step % 16 == 0 && Stopwatch::now() - last_checkpoint_ > scene_.output.checkpoint;
+}
+
+template <int D>
+void RunLoop<D>::save_checkpoint() {
+  if (!output_) return;
+  const Stopwatch watch;
+  last_checkpoint_ = Stopwatch::now();
+  output_->flush();
+  const OutputCounts counts = output_->counts();
+  CheckpointView view;
+  view.arrays["u"] = flat(state_.u);
+  view.arrays["v"] = flat(state_.v);
+  std::vector<double> values = {state_.time,       state_.last_dt,        clock_.start,
+                                clock_.end,        clock_.dt,             critical_.dt,
+                                critical_.scaled,  estimated_at_[0],      estimated_at_[1],
+                                estimated_at_[2],  ledger_.external_work, ledger_.dissipated,
+                                ledger_.angular_impulse, first_energy_,   largest_energy_,
+                                drift_,            first_angular_,        momentum_scale_,
+                                angular_scale_};
+  for (int i = 0; i < D; ++i) values.push_back(ledger_.impulse[i]);
+  for (int i = 0; i < D; ++i) values.push_back(first_momentum_[i]);
+  values.push_back(momentum_drift_);
+  values.push_back(angular_drift_);
+  view.arrays["numbers"] = values;
+  view.integers = {{"step", state_.step},
+                   {"clock_first", clock_.first},
+                   {"clock_count", clock_.count},
+                   {"books_every", books_every_},
+                   {"next_frame", next_frame_},
+                   {"frames", static_cast<std::int64_t>(counts.frames)},
+                   {"series", static_cast<std::int64_t>(counts.series)},
+                   {"probes", static_cast<std::int64_t>(counts.probes)},
+                   {"threads", omp_get_max_threads()}};
+  view.texts = {{"scene", scene_.text}};
+  write_checkpoint(options_.out / "checkpoint.h5", view);
+  output_seconds_ += watch.seconds();
+}
+
+template <int D>
+void RunLoop<D>::resume_from(const Checkpoint& checkpoint) {
+  if (checkpoint.text("scene") != scene_.text)
+    throw InputError(Place{checkpoint.path.string(), 0, 0, {}},
+                     "belongs to another scene or other overrides; resume with the same, or run anew "
+                     "without --resume");
+  const auto fill = [&](const char* name, auto& field) {
+    const auto& values = checkpoint.array(name, static_cast<std::size_t>(field.size()));
+    std::copy(values.begin(), values.end(), field.data());
+  };
+  fill("u", state_.u);
+  fill("v", state_.v);
+  const std::vector<double>& n = checkpoint.array("numbers", numbers<D> + 2);
+  std::size_t k = 0;
+  for (double* slot :
+       {&state_.time, &state_.last_dt, &clock_.start, &clock_.end, &clock_.dt, &critical_.dt,
+        &critical_.scaled, &estimated_at_[0], &estimated_at_[1], &estimated_at_[2],
+        &ledger_.external_work, &ledger_.dissipated, &ledger_.angular_impulse, &first_energy_,
+        &largest_energy_, &drift_, &first_angular_, &momentum_scale_, &angular_scale_})
+    *slot = n[k++];
+  for (int i = 0; i < D; ++i) ledger_.impulse[i] = n[k++];
+  for (int i = 0; i < D; ++i) first_momentum_[i] = n[k++];
+  momentum_drift_ = n[k++];
+  angular_drift_ = n[k++];
+  state_.step = checkpoint.integer("step");
+  clock_.first = checkpoint.integer("clock_first");
+  clock_.count = checkpoint.integer("clock_count");
+  books_every_ = checkpoint.integer("books_every");
+  next_frame_ = checkpoint.integer("next_frame");
+  const OutputCounts counts{static_cast<std::size_t>(checkpoint.integer("frames")),
+                            static_cast<std::size_t>(checkpoint.integer("series")),
+                            static_cast<std::size_t>(checkpoint.integer("probes"))};
+  output_.emplace(options_.out, scene_, disc_, probes_, exact_, counts);
+  last_checkpoint_ = Stopwatch::now();
+}
+
+template void RunLoop<1>::save_checkpoint();
+template void RunLoop<2>::save_checkpoint();
+template void RunLoop<1>::resume_from(const Checkpoint&);
+template void RunLoop<2>::resume_from(const Checkpoint&);
+template bool RunLoop<1>::checkpoint_due() const;
+template bool RunLoop<2>::checkpoint_due() const;
+
+}  // namespace tlsph

@@ -1,0 +1,264 @@
+#include "run_loop.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "stopwatch.hpp"
+#include "tlsph/observe/errors.hpp"
+#include "tlsph/scene/names.hpp"
+
+namespace tlsph {
+namespace {
+
+/// Steps between looks at the deformation, for laws whose stiffness follows it.
+constexpr long watch_every = 50;
+
+/// Change of a strain extreme that calls for a new estimate of the step: absolute and relative part.
+constexpr double strain_change = 0.03;
+constexpr double strain_change_relative = 0.1;
+
+/// Rows of the energy ledger a run has by default.
+constexpr long default_book_rows = 200;
+
+/// A step this many times smaller than the first says that the run will not end.
+constexpr double collapse = 1e-4;
+
+template <int D>
+std::vector<ProbeRequest<D>> probe_requests(const Scene& scene) {
+  std::vector<ProbeRequest<D>> requests;
+  for (const ProbeScene& probe : scene.probes) {
+    ProbeRequest<D> request{probe.name, Eigen::Map<const Vector<D>>(probe.at.data()), {}};
+    for (const Quantity quantity : probe.record)
+      request.quantities.emplace_back(name_of(quantity));
+    requests.push_back(std::move(request));
+  }
+  return requests;
+}
+
+template <int D>
+StrainExtremes strain_extremes(const TensorField<D>& field) {
+  StrainExtremes extremes{};
+  for (Index s = 0; s < field.rows(); ++s) {
+    const Tensor<D> H = tensor_at<D>(field, s);
+    const Tensor<D> E = 0.5 * (H + H.transpose() + H.transpose() * H);
+    for (int i = 0; i < D; ++i) {
+      extremes[0] = std::min(extremes[0], E(i, i));
+      extremes[1] = std::max(extremes[1], E(i, i));
+      for (int j = 0; j < i; ++j) extremes[2] = std::max(extremes[2], std::abs(E(i, j)));
+    }
+  }
+  return extremes;
+}
+
+}  // namespace
+
+template <int D>
+RunLoop<D>::RunLoop(const Scene& scene, const RunOptions& options, const Discretisation<D>& disc)
+    : scene_(scene),
+      options_(options),
+      disc_(disc),
+      exact_(build_exact<D>(scene, disc)),
+      probes_(disc, probe_requests<D>(scene)) {}
+
+template <int D>
+void RunLoop<D>::run(Summary& summary) {
+  const Stopwatch setup;
+  InitialState<D> initial = build_initial<D>(scene_, disc_);
+  state_ = make_state<D>(disc_, std::move(initial.displacement), std::move(initial.velocity));
+  evaluate<D>(disc_, state_);
+  choose_step(&summary);
+  books_every_ = scene_.output.energy_every > 0
+                     ? scene_.output.energy_every
+                     : std::max(1L, clock_.count / default_book_rows);
+  if (options_.resume) {
+    resume_from(read_checkpoint(options_.out / "checkpoint.h5"));
+  } else {
+    if (!options_.out.empty()) output_.emplace(options_.out, scene_, disc_, probes_, exact_, std::nullopt);
+    start<D>(disc_, state_, clock_.dt);
+    save_checkpoint();
+  }
+  summary.wall_setup += setup.seconds();
+
+  const Stopwatch loop;
+  const double output_before = output_seconds_;
+  const long first_step = state_.step;
+  const auto close_books = [&] {
+    summary.wall_output = output_seconds_;
+    summary.wall_stepping = loop.seconds() - (output_seconds_ - output_before);
+    finish(summary);
+    const auto done = static_cast<double>(state_.step - first_step);
+    if (done > 0)
+      summary.ns_per_particle_step =
+          summary.wall_stepping * 1e9 / done / static_cast<double>(disc_.nodes());
+  };
+  try {
+    while (true) {
+      evaluate<D>(disc_, state_);
+      if (state_.step > 0) ledger_.arrive(disc_, state_, clock_.dt);
+      follow_deformation();
+      observe();
+      if (state_.step == clock_.last()) break;
+      if (options_.stop_requested != nullptr && *options_.stop_requested) {
+        summary.interrupted = true;
+        break;
+      }
+      if (checkpoint_due()) save_checkpoint();
+      step();
+    }
+  } catch (const NumericalError& failure) {
+    summary.failure = failure.what();
+    keep_last_good_state();
+    close_books();
+    throw;
+  }
+  if (summary.interrupted) save_checkpoint();
+  if (exact_.displacement && !summary.interrupted) {
+    const RelativeErrors errors = errors_against<D>(exact_, disc_, state_, clock_.dt);
+    summary.errors = FieldErrors{errors.displacement, errors.velocity, errors.stress};
+  }
+  close_books();
+}
+
+template <int D>
+void RunLoop<D>::choose_step(Summary* summary) {
+  critical_ = critical_step<D>(disc_, state_);
+  const double wanted = scene_.time.step.value_or(scene_.time.safety * critical_.dt);
+  if (!std::isfinite(wanted) || wanted <= 0.0)
+    throw NumericalError("the critical time step is not a positive number", state_.time, -1);
+  const double previous = clock_.dt;
+  clock_ = Clock::from(state_.time, state_.step, scene_.time.end, wanted);
+  if (summary != nullptr) {
+    summary->dt = clock_.dt;
+    summary->dt_critical = critical_.dt;
+    summary->dt_critical_scaled = critical_.scaled;
+    summary->growth_rate = critical_.growth;
+  } else if (clock_.dt < collapse * previous) {
+    throw NumericalError(fmt::format("the critical time step collapsed to {:.3e} s at t = {:.6e} s: "
+                                     "the body is being crushed",
+                                     critical_.dt, state_.time),
+                         state_.time, -1);
+  }
+  estimated_at_ = strain_extremes<D>(state_.H);
+}
+
+template <int D>
+void RunLoop<D>::follow_deformation() {
+  if (state_.step % watch_every != 0 || state_.step == clock_.last() || state_.step == 0) return;
+  if (scene_.time.step || disc_.linear()) return;
+  const StrainExtremes now = strain_extremes<D>(state_.H);
+  bool changed = false;
+  for (std::size_t k = 0; k < now.size(); ++k)
+    changed = changed || std::abs(now[k] - estimated_at_[k]) >
+                             strain_change + strain_change_relative * std::abs(estimated_at_[k]);
+  if (changed) choose_step(nullptr);
+}
+
+template <int D>
+void RunLoop<D>::step() {
+  ledger_.depart(disc_, state_, clock_.dt);
+  advance<D>(disc_, state_, clock_.dt, clock_.time(state_.step + 1));
+}
+
+template <int D>
+void RunLoop<D>::observe() {
+  const bool last = state_.step == clock_.last();
+  if (state_.step % books_every_ == 0 || last) sample_books();
+  report_progress();
+  if (!output_) return;
+  const bool probes_due =
+      !probes_.columns().empty() && (state_.step % scene_.output.probe_every == 0 || last);
+  const long frames = scene_.output.frames;
+  const double frame_time =
+      static_cast<double>(next_frame_) * scene_.time.end / static_cast<double>(std::max(1L, frames));
+  const bool frame_due =
+      next_frame_ <= frames && (last || state_.time >= frame_time - 0.5 * clock_.dt);
+  if (!probes_due && !frame_due) return;
+  const Stopwatch watch;
+  if (probes_due) output_->write_probes(disc_, state_, clock_.dt);
+  if (frame_due) {
+    output_->write_frame(disc_, state_, clock_.dt);
+    while (next_frame_ <= frames &&
+           state_.time >= static_cast<double>(next_frame_) * scene_.time.end /
+                                  static_cast<double>(std::max(1L, frames)) -
+                              0.5 * clock_.dt)
+      ++next_frame_;
+  }
+  output_seconds_ += watch.seconds();
+}
+
+template <int D>
+void RunLoop<D>::sample_books() {
+  const Stopwatch watch;
+  const Balance<D> now = balance<D>(disc_, state_, clock_.dt);
+  const double energy = now.kinetic + now.elastic;
+  const double work = ledger_.external_work + now.gravity;
+  const Vector<D> momentum = now.linear_momentum - ledger_.impulse;
+  const double angular = now.angular_momentum - ledger_.angular_impulse;
+  if (state_.step == 0) {
+    first_energy_ = energy;
+    first_momentum_ = momentum;
+    first_angular_ = angular;
+  }
+  largest_energy_ = std::max(largest_energy_, std::abs(energy));
+  drift_ = std::max(drift_, std::abs(energy - first_energy_ - work + ledger_.dissipated));
+  momentum_scale_ = std::max(momentum_scale_, now.momentum_scale);
+  angular_scale_ = std::max(angular_scale_, now.angular_scale);
+  momentum_drift_ = std::max(momentum_drift_, (momentum - first_momentum_).norm());
+  angular_drift_ = std::max(angular_drift_, std::abs(angular - first_angular_));
+  if (output_) {
+    std::array<double, 6 + D> row{now.kinetic, now.elastic, work, ledger_.dissipated};
+    for (std::size_t i = 0; i < D; ++i) row[4 + i] = now.linear_momentum[static_cast<Index>(i)];
+    row[4 + D] = now.angular_momentum;
+    row[5 + D] = clock_.dt;
+    output_->write_series(state_.time, row);
+  }
+  output_seconds_ += watch.seconds();
+}
+
+template <int D>
+void RunLoop<D>::keep_last_good_state() {
+  if (!output_ || state_.step == 0) return;
+  // One step back: u_n = u_{n−1} + Δt v_{n−½}. Frames written at the lost state itself do not exist,
+  // for evaluate throws first.
+  state_.u -= state_.last_dt * state_.v;
+  state_.time -= state_.last_dt;
+  try {
+    evaluate<D>(disc_, state_);
+    output_->write_frame(disc_, state_, clock_.dt);
+  } catch (const NumericalError&) {
+    // Lost for more than a step without notice; the frames before stand.
+  }
+}
+
+template <int D>
+void RunLoop<D>::report_progress() {
+  if (!options_.progress || state_.step % 16 != 0) return;
+  const double now = Stopwatch::now();
+  if (now - last_progress_ < 0.1 && state_.step != clock_.last()) return;
+  last_progress_ = now;
+  options_.progress({state_.time, scene_.time.end, state_.step, clock_.last()});
+}
+
+template <int D>
+void RunLoop<D>::finish(Summary& summary) {
+  const Balance<D> now = balance<D>(disc_, state_, clock_.dt);
+  if (output_) {
+    const Stopwatch watch;
+    output_->flush();
+    summary.wall_output += watch.seconds();
+  }
+  summary.steps = state_.step;
+  summary.end_time = state_.time;
+  summary.energy = {now.kinetic, now.elastic, ledger_.external_work + now.gravity,
+                    ledger_.dissipated,
+                    largest_energy_ > 0.0 ? drift_ / largest_energy_ : 0.0};
+  summary.linear_momentum_drift = momentum_scale_ > 0.0 ? momentum_drift_ / momentum_scale_ : 0.0;
+  summary.angular_momentum_drift = angular_scale_ > 0.0 ? angular_drift_ / angular_scale_ : 0.0;
+}
+
+template class RunLoop<1>;
+template class RunLoop<2>;
+
+}  // namespace tlsph

@@ -1,0 +1,66 @@
+#pragma once
+/// \file
+/// The time loop of a run, from the initial state or a checkpoint to the end. Not for other rooms.
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "clock.hpp"
+#include "run_output.hpp"
+#include "tlsph/dynamics/critical_step.hpp"
+#include "tlsph/simulation/builder.hpp"
+#include "tlsph/simulation/simulation.hpp"
+
+namespace tlsph {
+
+/// Extremes of the Green–Lagrange strain: how far the body is from where its step was estimated.
+using StrainExtremes = std::array<double, 3>;
+
+template <int D>
+class RunLoop {
+ public:
+  RunLoop(const Scene& scene, const RunOptions& options, const Discretisation<D>& discretisation);
+
+  /// Steps to the end, or to the step after a stop was asked for. Fills what the loop knows of
+  /// `summary`. NumericalError leaves the last good state as a frame.
+  void run(Summary& summary);
+
+ private:
+  void begin();
+  void resume_from(const Checkpoint& checkpoint);
+  void save_checkpoint();
+  void choose_step(Summary* summary);
+  void follow_deformation();
+  void observe();
+  void sample_books();
+  void step();
+  void keep_last_good_state();
+  [[nodiscard]] bool checkpoint_due() const;
+  void report_progress();
+  void finish(Summary& summary);
+
+  const Scene& scene_;
+  const RunOptions& options_;
+  const Discretisation<D>& disc_;
+  ExactSolution<D> exact_;
+  Probes<D> probes_;
+  State<D> state_;
+  Clock clock_;
+  Ledger<D> ledger_;
+  CriticalStep critical_;
+  StrainExtremes estimated_at_{};
+  std::optional<RunOutput<D>> output_;
+
+  // Books of the whole run, kept by checkpoints.
+  double first_energy_ = 0.0, largest_energy_ = 0.0, drift_ = 0.0;
+  Vector<D> first_momentum_ = Vector<D>::Zero();
+  double first_angular_ = 0.0, momentum_scale_ = 0.0, angular_scale_ = 0.0;
+  double momentum_drift_ = 0.0, angular_drift_ = 0.0;
+  long books_every_ = 1;
+  long next_frame_ = 0;
+
+  double output_seconds_ = 0.0, last_progress_ = 0.0, last_checkpoint_ = 0.0;
+};
+
+}  // namespace tlsph

@@ -1,0 +1,216 @@
+#include "run_output.hpp"
+
+#include <cmath>
+
+#include "tlsph/materials/stress.hpp"
+#include "tlsph/scene/names.hpp"
+#include "tlsph/simulation/version.hpp"
+
+namespace tlsph {
+namespace {
+
+std::span<const double> flat(const auto& matrix) {
+  return {matrix.data(), static_cast<std::size_t>(matrix.size())};
+}
+
+const std::filesystem::path& prepared(const std::filesystem::path& directory) {
+  make_output_directory(directory);
+  return directory;
+}
+
+FrameField frame_field(const std::string& name) {
+  const auto quantity = from_name<Quantity>(name);
+  switch (quantity.value_or(Quantity::displacement)) {
+    case Quantity::velocity:
+      return {name, Site::particles, Rank::vector, "m/s"};
+    case Quantity::acceleration:
+      return {name, Site::particles, Rank::vector, "m/s^2"};
+    case Quantity::deformation_gradient:
+      return {name, Site::points, Rank::tensor, "1"};
+    case Quantity::pk1:
+    case Quantity::cauchy:
+      return {name, Site::points, Rank::tensor, "Pa"};
+    case Quantity::pressure:
+    case Quantity::von_mises:
+      return {name, Site::points, Rank::scalar, "Pa"};
+    case Quantity::displacement:
+      break;
+  }
+  return {name, Site::particles, Rank::vector, "m"};
+}
+
+template <int D>
+RunLayout layout_of(const Scene& scene, const Discretisation<D>& disc) {
+  RunLayout layout;
+  layout.dimension = D;
+  layout.particles = static_cast<std::size_t>(disc.nodes());
+  layout.points = static_cast<std::size_t>(disc.points.size());
+  for (const std::string& name : scene.output.fields) layout.fields.push_back(frame_field(name));
+  layout.series = series_layout<D>();
+  return layout;
+}
+
+/// Columns of probes_exact.csv: what an ExactSolution can answer.
+bool has_exact(Quantity quantity) {
+  return quantity == Quantity::displacement || quantity == Quantity::velocity ||
+         quantity == Quantity::pk1 || quantity == Quantity::cauchy;
+}
+
+}  // namespace
+
+template <int D>
+std::vector<SeriesQuantity> series_layout() {
+  return {{"kinetic", 1, "J/m^" + std::to_string(3 - D)},
+          {"elastic", 1, "J/m^" + std::to_string(3 - D)},
+          {"external_work", 1, "J/m^" + std::to_string(3 - D)},
+          {"dissipated", 1, "J/m^" + std::to_string(3 - D)},
+          {"linear_momentum", D, "kg m/s per m^" + std::to_string(3 - D)},
+          {"angular_momentum", 1, "kg m^2/s per m^" + std::to_string(3 - D)},
+          {"dt", 1, "s"}};
+}
+
+template <int D>
+RunOutput<D>::RunOutput(const std::filesystem::path& directory, const Scene& scene,
+                        const Discretisation<D>& disc, const Probes<D>& probes,
+                        const ExactSolution<D>& exact, const std::optional<OutputCounts>& resumed)
+    : directory_(directory),
+      layout_(layout_of<D>(scene, disc)),
+      lock_(prepared(directory)),
+      probes_(&probes),
+      exact_(&exact),
+      requests_(scene.probes) {
+  std::vector<std::int64_t> tags(static_cast<std::size_t>(disc.nodes()), 0);
+  RunStart start;
+  start.scene_file = scene.file;
+  start.scene_text = scene.text;
+  start.version = version();
+  start.particles = {D, flat(disc.particles.X), flat(disc.particles.V), tags, {}};
+  start.points = {D, flat(disc.points.X), flat(disc.points.V)};
+  for (std::size_t bit = 0; bit < disc.particles.patches.size() && bit < 63; ++bit) {
+    start.particles.patches.push_back(disc.particles.patches[bit].name);
+    for (const int node : disc.particles.patches[bit].nodes)
+      tags[static_cast<std::size_t>(node)] |= std::int64_t{1} << bit;
+  }
+  const auto run_path = directory / "run.h5";
+  run_file_.emplace(resumed ? RunFile::resume(run_path, layout_, start, resumed->frames,
+                                              resumed->series)
+                            : RunFile::create(run_path, layout_, start));
+
+  const auto open = [&](const char* name, const std::vector<std::string>& columns) {
+    return resumed ? CsvWriter::resume(directory / name, columns, resumed->probes)
+                   : CsvWriter(directory / name, columns);
+  };
+  std::vector<std::string> columns = {"time"};
+  columns.insert(columns.end(), probes.columns().begin(), probes.columns().end());
+  probe_row_.resize(columns.size());
+  probe_file_.emplace(open("probes.csv", columns));
+  if (exact.displacement && !scene.probes.empty()) {
+    std::vector<std::string> known = {"time"};
+    for (const std::string& column : probes.columns()) {
+      const std::string stem = column.substr(column.rfind('.') + 1);
+      for (const Quantity quantity :
+           {Quantity::displacement, Quantity::velocity, Quantity::pk1, Quantity::cauchy})
+        if (stem.starts_with(name_of(quantity))) known.push_back(column);
+    }
+    exact_file_.emplace(open("probes_exact.csv", known));
+  }
+}
+
+template <int D>
+std::span<const double> RunOutput<D>::field(const std::string& name,
+                                            const Discretisation<D>& disc, const State<D>& state,
+                                            double dt) {
+  if (name == "displacement") return flat(state.u);
+  if (name == "pk1") return flat(state.P);
+  const auto quantity = from_name<Quantity>(name).value_or(Quantity::displacement);
+  std::vector<double>& out = scratch_[name];
+  out.clear();
+  if (quantity == Quantity::velocity || quantity == Quantity::acceleration) {
+    const double kick = 0.5 * (state.last_dt + dt);
+    for (Index dof = 0; dof < state.v.size(); ++dof) {
+      const double before = state.v.data()[dof];
+      const double after = next_velocity<D>(disc, state, dt, dof);
+      out.push_back(quantity == Quantity::velocity ? 0.5 * (before + after)
+                                                   : (after - before) / kick);
+    }
+    return out;
+  }
+  std::vector<std::size_t> region(static_cast<std::size_t>(disc.points.size()), 0);
+  for (std::size_t r = 0; r < disc.regions.size(); ++r)
+    for (const int s : disc.regions[r].points) region[static_cast<std::size_t>(s)] = r;
+  for (Index s = 0; s < disc.points.size(); ++s) {
+    const AnyLaw<D>& law = disc.regions[region[static_cast<std::size_t>(s)]].law;
+    const Tensor<D> H = tensor_at<D>(state.H, s);
+    const Tensor<D> sigma = cauchy<D>(law, H, tensor_at<D>(state.P, s));
+    const Tensor<D> F = Tensor<D>::Identity() + H;
+    if (quantity == Quantity::pressure)
+      out.push_back(pressure<D>(sigma, transverse_stress<D>(law, H)));
+    else if (quantity == Quantity::von_mises)
+      out.push_back(von_mises<D>(sigma, transverse_stress<D>(law, H)));
+    else
+      for (int i = 0; i < D; ++i)
+        for (int j = 0; j < D; ++j)
+          out.push_back(quantity == Quantity::cauchy ? sigma(i, j) : F(i, j));
+  }
+  return out;
+}
+
+template <int D>
+void RunOutput<D>::write_frame(const Discretisation<D>& disc, const State<D>& state, double dt) {
+  std::vector<std::span<const double>> fields;
+  for (const FrameField& entry : layout_.fields)
+    fields.push_back(field(entry.name, disc, state, dt));
+  run_file_->write_frame(state.time, fields);
+  write_xdmf(directory_ / "run.xdmf", layout_, run_file_->frame_times());
+}
+
+template <int D>
+void RunOutput<D>::write_probes(const Discretisation<D>& disc, const State<D>& state, double dt) {
+  probe_row_[0] = state.time;
+  probes_->sample(disc, state, dt, std::span(probe_row_).subspan(1));
+  probe_file_->row(probe_row_);
+  if (exact_file_) write_exact(state.time);
+}
+
+template <int D>
+void RunOutput<D>::write_exact(double time) {
+  std::size_t out = 0;
+  probe_row_[out++] = time;
+  for (const ProbeScene& probe : requests_) {
+    const Vector<D> X = Eigen::Map<const Vector<D>>(probe.at.data());
+    for (const Quantity quantity : probe.record) {
+      if (!has_exact(quantity)) continue;
+      if (quantity == Quantity::displacement || quantity == Quantity::velocity) {
+        const Vector<D> value = quantity == Quantity::displacement
+                                    ? exact_->displacement(X, time)
+                                    : exact_->velocity(X, time);
+        for (int i = 0; i < D; ++i) probe_row_[out++] = value[i];
+      } else {
+        const Tensor<D> value = exact_->stress(X, time);
+        for (int i = 0; i < D; ++i)
+          for (int j = quantity == Quantity::cauchy ? i : 0; j < D; ++j)
+            probe_row_[out++] = value(i, j);
+      }
+    }
+  }
+  exact_file_->row(std::span<const double>(probe_row_).first(out));
+}
+
+template <int D>
+void RunOutput<D>::flush() {
+  run_file_->flush();
+  probe_file_->flush();
+  if (exact_file_) exact_file_->flush();
+}
+
+template <int D>
+OutputCounts RunOutput<D>::counts() const {
+  return {run_file_->frames(), run_file_->series_rows(), probe_file_->rows()};
+}
+
+template class RunOutput<1>;
+template class RunOutput<2>;
+template std::vector<SeriesQuantity> series_layout<1>();
+template std::vector<SeriesQuantity> series_layout<2>();
+
+}  // namespace tlsph

@@ -1,0 +1,65 @@
+#pragma once
+/// \file
+/// The files of a run: run.h5, run.xdmf, probes.csv, probes_exact.csv, checkpoint. Not for other rooms.
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "tlsph/dynamics/ledger.hpp"
+#include "tlsph/exact/exact.hpp"
+#include "tlsph/io/checkpoint.hpp"
+#include "tlsph/io/csv.hpp"
+#include "tlsph/io/files.hpp"
+#include "tlsph/io/run_file.hpp"
+#include "tlsph/io/xdmf.hpp"
+#include "tlsph/observe/probes.hpp"
+#include "tlsph/scene/scene.hpp"
+
+namespace tlsph {
+
+/// Rows written so far, for a checkpoint.
+struct OutputCounts {
+  std::size_t frames = 0, series = 0, probes = 0;
+};
+
+template <int D>
+class RunOutput {
+ public:
+  /// New files in `directory`, or those of a run that goes on after `resumed`.
+  RunOutput(const std::filesystem::path& directory, const Scene& scene,
+            const Discretisation<D>& discretisation, const Probes<D>& probes,
+            const ExactSolution<D>& exact, const std::optional<OutputCounts>& resumed);
+
+  void write_frame(const Discretisation<D>& discretisation, const State<D>& state, double dt);
+  void write_series(double time, std::span<const double> values) {
+    run_file_->write_series(time, values);
+  }
+  void write_probes(const Discretisation<D>& discretisation, const State<D>& state, double dt);
+  /// Everything written reaches the system.
+  void flush();
+  [[nodiscard]] OutputCounts counts() const;
+
+ private:
+  std::span<const double> field(const std::string& name, const Discretisation<D>& discretisation,
+                                const State<D>& state, double dt);
+  void write_exact(double time);
+
+  std::filesystem::path directory_;
+  RunLayout layout_;
+  DirectoryLock lock_;
+  std::optional<RunFile> run_file_;
+  const Probes<D>* probes_;
+  std::optional<CsvWriter> probe_file_, exact_file_;
+  std::vector<double> probe_row_;
+  const ExactSolution<D>* exact_;
+  std::vector<ProbeScene> requests_;
+  std::map<std::string, std::vector<double>> scratch_;
+};
+
+/// Series columns of run.h5, in the order in which the run hands them over.
+template <int D>
+[[nodiscard]] std::vector<SeriesQuantity> series_layout();
+
+}  // namespace tlsph

@@ -1,0 +1,67 @@
+#include "tlsph/simulation/summary.hpp"
+
+#include "tlsph/io/json.hpp"
+
+namespace tlsph {
+
+std::string Summary::json() const {
+  Json tree;
+  const auto optional = [&](const char* key, const std::optional<double>& value) {
+    if (value)
+      tree.set(key, *value);
+    else
+      tree.set(key, nullptr);
+  };
+  tree.set("scene", scene);
+  tree.set("title", title);
+  tree.set("version", version);
+  tree.set("dimension", dimension);
+  tree.set("formulation", formulation);
+  tree.set("kernel", kernel);
+  optional("support", support);
+  tree.set("particles", particles);
+  tree.set("ghosts", ghosts);
+  tree.set("points", points);
+  tree.set("spacing", spacing);
+  tree.set("nonzeros", nonzeros);
+  tree.set("neighbours_mean", neighbours_mean);
+  tree.set("dt", dt);
+  tree.set("dt_critical", dt_critical);
+  tree.set("dt_critical_scaled", dt_critical_scaled);
+  optional("growth_rate", growth_rate);
+  tree.set("steps", steps);
+  tree.set("end_time", end_time);
+  tree.set("threads", threads);
+  tree.set("wall_seconds.setup", wall_setup);
+  tree.set("wall_seconds.stepping", wall_stepping);
+  tree.set("wall_seconds.output", wall_output);
+  tree.set("ns_per_particle_step", ns_per_particle_step);
+  tree.set("peak_memory_bytes", peak_memory_bytes);
+  tree.set("energy.kinetic", energy.kinetic);
+  tree.set("energy.elastic", energy.elastic);
+  tree.set("energy.external_work", energy.external_work);
+  tree.set("energy.dissipated", energy.dissipated);
+  tree.set("energy.drift_relative", energy.drift_relative);
+  tree.set("momentum.linear_drift", linear_momentum_drift);
+  tree.set("momentum.angular_drift", angular_momentum_drift);
+  if (errors) {
+    tree.set("errors.displacement", errors->displacement);
+    tree.set("errors.velocity", errors->velocity);
+    tree.set("errors.stress", errors->stress);
+  } else {
+    tree.set("errors", nullptr);
+  }
+  tree.set("consistency", nullptr);
+  if (boundary_solver.empty())
+    tree.set("boundary_solver", nullptr);
+  else
+    tree.set("boundary_solver", boundary_solver);
+  tree.set("interrupted", interrupted);
+  if (failure.empty())
+    tree.set("failure", nullptr);
+  else
+    tree.set("failure", failure);
+  return tree.dump() + '\n';
+}
+
+}  // namespace tlsph

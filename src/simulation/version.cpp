@@ -1,0 +1,7 @@
+#include "tlsph/simulation/version.hpp"
+
+namespace tlsph {
+
+std::string version() { return TLSPH_VERSION; }
+
+}  // namespace tlsph
