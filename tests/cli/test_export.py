@@ -1,0 +1,95 @@
+"""The exported operators, read back by scipy: what they promise holds there too."""
+
+import json
+import unittest
+
+import h5py
+import numpy as np
+import scipy.io
+import scipy.sparse
+
+from support import BAR, SHEET, ProgramTest
+
+
+def csr(group):
+    return scipy.sparse.csr_matrix(
+        (group["data"][:], group["indices"][:], group["indptr"][:]), shape=tuple(group["shape"][:])
+    )
+
+
+class Export(ProgramTest):
+    def export(self, text, *arguments):
+        self.write("scene.toml", text)
+        done = self.tlsph("export", "scene.toml", "--out", "matrices", *arguments)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        return self.folder / "matrices"
+
+    def test_both_formats_hold_the_same(self):
+        out = self.export(SHEET)
+
+        with h5py.File(out / "operators.h5") as file:
+            names = [name for name in file if isinstance(file[name], h5py.Group) and "indptr" in file[name]]
+            self.assertLessEqual({"G_x", "G_y", "D_x", "D_y", "S", "M"}, set(names))
+            for name in names:
+                with self.subTest(name):
+                    text = scipy.io.mmread(out / f"{name}.mtx").tocsr()
+                    self.assertEqual((text != csr(file[name])).nnz, 0)
+
+    def test_gradients_are_exact_for_linear_fields(self):
+        for formulation in ("stress-point", "variational"):
+            with self.subTest(formulation):
+                out = self.export(SHEET, "--set", "formulation=" + formulation)
+
+                with h5py.File(out / "operators.h5") as file:
+                    X = file["particles/X"][:]
+                    G = [csr(file["G_x"]), csr(file["G_y"])]
+
+                for a in range(2):
+                    scale = abs(G[a]).sum(axis=1).max()
+                    np.testing.assert_allclose(G[a] @ np.ones(len(X)), 0, atol=1e-12 * scale)
+                    for b in range(2):
+                        np.testing.assert_allclose(G[a] @ X[:, b], float(a == b), atol=1e-12 * scale)
+
+    def test_divergence_is_the_adjoint(self):
+        for formulation in ("stress-point", "variational"):
+            with self.subTest(formulation):
+                out = self.export(SHEET, "--set", "formulation=" + formulation)
+
+                with h5py.File(out / "operators.h5") as file:
+                    V = scipy.sparse.diags(file["points/V"][:])
+                    for a in "xy":
+                        G, D = csr(file["G_" + a]), csr(file["D_" + a])
+                        self.assertLessEqual(abs(D + G.T @ V).max(), 1e-14 * abs(D).max())
+
+    def test_mass_is_that_of_the_body(self):
+        out = self.export(SHEET)
+
+        M = scipy.io.mmread(out / "M.mtx")
+
+        self.assertAlmostEqual(M.tocsr().diagonal().sum(), 1000.0, places=9)
+
+    def test_report_agrees(self):
+        out = self.export(SHEET)
+
+        report = json.loads((out / "report.json").read_text(encoding="utf-8"))
+
+        with h5py.File(out / "operators.h5") as file:
+            G = csr(file["G_x"])
+        text = json.dumps(report)
+        self.assertIn(str(G.nnz), text)
+        self.assertIn("G_x", text)
+
+    def test_in_1d_every_formulation(self):
+        for formulation in ("thesis", "mirror", "variational", "stress-point"):
+            with self.subTest(formulation):
+                out = self.export(BAR, "--set", "formulation=" + formulation)
+
+                G = scipy.io.mmread(out / "G_x.mtx").tocsr()
+                D = scipy.io.mmread(out / "D_x.mtx").tocsr()
+
+                self.assertEqual(G.shape, D.shape[::-1])
+                self.assertEqual(D.shape[0], 21)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,214 @@
+"""What a run writes and says."""
+
+import os
+import pty
+import unittest
+
+import h5py
+import numpy as np
+
+from support import BAR, PROGRAM, SHEET, ProgramTest, read_probes, read_summary
+
+
+class Results(ProgramTest):
+    def test_files(self):
+        out = self.run_scene(BAR)
+
+        written = {path.name for path in out.iterdir()}
+        self.assertLessEqual({"probes.csv", "run.h5", "run.xdmf", "summary.json"}, written)
+        self.assertEqual(
+            written - {"probes.csv", "run.h5", "run.xdmf", "summary.json", "checkpoint.h5"},
+            {"probes_exact.csv"},  # there is an exact solution
+        )
+
+    def test_default_folder_is_named_after_the_scene(self):
+        self.write("my scene.toml", BAR)
+
+        done = self.tlsph("run", "my scene.toml", "--quiet")
+
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertTrue((self.folder / "out/my scene/summary.json").is_file())
+
+    def test_probes(self):
+        out = self.run_scene(BAR)
+
+        header, rows = read_probes(out / "probes.csv")
+        values = np.array(rows, dtype=float)
+        summary = read_summary(out)
+
+        self.assertEqual(
+            header, ["time", "tip.displacement_x", "tip.cauchy_xx", "p2.displacement_x"]
+        )
+        self.assertEqual(len(rows), summary["steps"] + 1)
+        self.assertEqual(float(rows[0][0]), 0.0)
+        self.assertEqual(float(rows[-1][0]), 2e-2)
+        self.assertTrue(np.all(np.diff(values[:, 0]) > 0))
+        self.assertTrue(np.all(values[0] == 0))
+        self.assertGreater(abs(values[-1, 1]), 0)
+
+    def test_probes_keep_17_digits(self):
+        out = self.run_scene(BAR)
+
+        _, rows = read_probes(out / "probes.csv")
+
+        for text in rows[-1]:
+            self.assertEqual(float(f"{float(text):.17g}"), float(text))
+        with h5py.File(out / "run.h5") as file:
+            tip = file["frames/displacement"][-1, -1, 0]
+        self.assertEqual(float(rows[-1][1]), tip)
+
+    def test_probe_every(self):
+        out = self.run_scene(BAR, "--set", "output.probe_every=7")
+
+        _, rows = read_probes(out / "probes.csv")
+
+        self.assertLessEqual(len(rows), read_summary(out)["steps"] // 7 + 2)
+        self.assertEqual(float(rows[-1][0]), 2e-2)
+
+    def test_components_in_2d(self):
+        out = self.run_scene(SHEET)
+
+        header, _ = read_probes(out / "probes.csv")
+
+        quantities = "displacement_x displacement_y pk1_xx pk1_xy pk1_yx pk1_yy von_mises".split()
+        self.assertEqual(header, ["time"] + ["corner." + name for name in quantities])
+
+    def test_summary(self):
+        summary = read_summary(self.run_scene(BAR))
+
+        promised = """scene version dimension formulation kernel support particles points nonzeros
+            neighbours_mean dt dt_critical steps end_time threads wall_seconds ns_per_particle_step
+            peak_memory_bytes energy momentum errors consistency failure"""
+        self.assertLessEqual(set(promised.split()), set(summary))
+        self.assertEqual(
+            set(summary["energy"]),
+            {"kinetic", "elastic", "external_work", "dissipated", "drift_relative"},
+        )
+        self.assertEqual(set(summary["momentum"]), {"linear_drift", "angular_drift"})
+        self.assertEqual(set(summary["errors"]), {"displacement", "velocity", "stress"})
+        self.assertEqual(summary["dimension"], 1)
+        self.assertEqual(summary["formulation"], "stress-point")
+        self.assertEqual(summary["particles"], 21)
+        self.assertEqual(summary["points"], 20)
+        self.assertEqual(summary["end_time"], 2e-2)
+        self.assertIsNone(summary["support"])
+        self.assertIsNone(summary["failure"])
+        self.assertLess(summary["dt"], summary["dt_critical"])
+        self.assertEqual(set(summary["wall_seconds"]), {"setup", "stepping", "output"})
+        self.assertLess(summary["energy"]["drift_relative"], 1e-2)
+        self.assertLess(summary["errors"]["displacement"], 0.05)
+
+    def test_errors_are_null_without_an_exact_solution(self):
+        self.assertIsNone(read_summary(self.run_scene(SHEET))["errors"])
+
+    def test_fields(self):
+        out = self.run_scene(SHEET)
+        summary = read_summary(out)
+
+        with h5py.File(out / "run.h5") as file:
+            self.assertEqual(file["scene"].attrs["text"], SHEET)
+            self.assertEqual(file["particles/X"].shape, (121, 2))
+            self.assertAlmostEqual(file["particles/V"][:].sum(), 1.0, places=12)
+            self.assertEqual(file["points/X"].shape, (100, 2))
+            self.assertAlmostEqual(file["points/V"][:].sum(), 1.0, places=12)
+            np.testing.assert_allclose(
+                file["frames/time"][:], np.linspace(0, 2e-2, 5), atol=summary["dt"]
+            )
+            self.assertEqual(file["frames/displacement"].shape, (5, 121, 2))
+            self.assertEqual(file["frames/pk1"].shape, (5, 100, 4))
+            self.assertEqual(file["frames/time"][-1], 2e-2)
+            for name in ("particles/X", "frames/time", "frames/displacement", "series/kinetic"):
+                self.assertIn("unit", file[name].attrs)
+
+    def test_overrides_are_recorded(self):
+        out = self.run_scene(BAR, "--set", "body.spacing=0.1", "--set", "output.frames=2")
+
+        with h5py.File(out / "run.h5") as file:
+            text = file["scene"].attrs["text"]
+            self.assertEqual(file["frames/time"].shape, (3,))
+        self.assertIn("spacing = 0.1\n", text)
+        self.assertEqual(read_summary(out)["particles"], 11)
+
+    def test_threads(self):
+        self.assertEqual(read_summary(self.run_scene(BAR, "--threads", "2"))["threads"], 2)
+
+    def test_every_formulation(self):
+        for formulation in ("thesis", "mirror", "variational", "stress-point"):
+            with self.subTest(formulation):
+                out = self.run_scene(BAR, "--set", "formulation=" + formulation)
+
+                self.assertEqual(read_summary(out)["formulation"], formulation)
+
+
+class Words(ProgramTest):
+    def test_plain_lines(self):
+        self.write("scene.toml", BAR)
+
+        done = self.tlsph("run", "scene.toml")
+
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertNotIn("\r", done.stdout)
+        self.assertNotIn("\x1b", done.stdout)
+        self.assertIn("21 particles", done.stdout)
+        self.assertTrue(done.stdout.endswith("results in out/scene\n"))
+
+    def test_quiet(self):
+        self.write("scene.toml", BAR)
+
+        done = self.tlsph("run", "scene.toml", "--quiet")
+
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
+
+    def test_bar_on_a_terminal(self):
+        self.write("scene.toml", BAR)
+        shown = b""
+
+        pid, terminal = pty.fork()
+        if pid == 0:
+            os.chdir(self.folder)
+            os.execv(PROGRAM, [PROGRAM, "run", "scene.toml", "--set", "time.end=20"])
+        try:
+            while chunk := os.read(terminal, 4096):
+                shown += chunk
+        except OSError:  # the program closed its side
+            pass
+        _, status = os.waitpid(pid, 0)
+
+        self.assertEqual(os.waitstatus_to_exitcode(status), 0)
+        self.assertRegex(shown, rb"\r\[=* *\] +\d+ %  step \d+ of \d+")
+        self.assertIn(b"results in out/scene", shown)
+
+
+class Failures(ProgramTest):
+    def test_numerical_failure(self):
+        self.write("scene.toml", BAR.replace("amplitude = 1e3", "amplitude = -1e9"))
+
+        done = self.tlsph("run", "scene.toml", "--out", "results", "--quiet")
+
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertRegex(done.stderr, r"t = [\d.e+-]+")
+        self.assertRegex(done.stderr, r"(particle|point) \d+")
+        with h5py.File(self.folder / "results/run.h5") as file:
+            self.assertTrue(np.all(np.isfinite(file["frames/displacement"][:])))
+            self.assertGreaterEqual(file["frames/time"].shape[0], 2)  # the initial and the last good
+        self.assertTrue(read_summary(self.folder / "results")["failure"])
+
+    def test_output_in_the_way(self):
+        self.write("scene.toml", BAR)
+        self.write("results", "a file, not a folder")
+
+        done = self.tlsph("run", "scene.toml", "--out", "results", "--quiet")
+
+        self.assertEqual(done.returncode, 4, done.stderr)
+        self.assertIn("results", done.stderr)
+
+    def test_output_nowhere(self):
+        self.write("scene.toml", BAR)
+
+        done = self.tlsph("run", "scene.toml", "--out", "/proc/no/such", "--quiet")
+
+        self.assertEqual(done.returncode, 4, done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
