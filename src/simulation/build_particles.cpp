@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "tlsph/particles/fitted.hpp"
 #include "tlsph/particles/jitter.hpp"
 #include "tlsph/particles/lattice.hpp"
 #include "tlsph/simulation/builder.hpp"
@@ -52,6 +53,8 @@ Particles<D> build_particles(const Scene& scene) {
   }
   Particles<D> particles =
       make_lattice<D>(shape, scene.body.spacing, placement, scene.body.spacing_place);
+  if constexpr (D == 2)
+    if (scene.body.fit) particles = fitted(particles, shape, scene.body.place);
   if (scene.body.jitter > 0.0)
     particles = jittered<D>(std::move(particles), scene.body.jitter, scene.body.seed,
                             scene.body.place);
