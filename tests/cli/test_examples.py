@@ -11,7 +11,7 @@ from support import SOURCE, ProgramTest, read_probes, read_summary
 class Examples(ProgramTest):
     def run_example(self, name, *arguments):
         scene = SOURCE / "examples" / f"{name}.toml"
-        done = self.tlsph("run", scene, "--out", name, "--quiet", *arguments)
+        done = self.tlsph("run", scene, "--out", name, "--quiet", "--threads", "1", *arguments)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         header, rows = read_probes(self.folder / name / "probes.csv")
         columns = dict(zip(header, np.array(rows, dtype=float).T))
@@ -81,6 +81,22 @@ class Examples(ProgramTest):
                 self.assertAlmostEqual(zeros[5] / 3 / 0.25523, 1.0, delta=tolerance)
                 self.assertAlmostEqual(abs(y).max(), 1e-3, delta=2e-5)
                 self.assertLessEqual(summary["energy"]["drift_relative"], 1e-6)
+
+    def test_plate_with_hole(self):
+        # Quadratic finite elements at rest: 16.74 MPa at A, 3.534 mm at the edge.
+        for spacing, stress, motion in ((1.25e-3, 0.02, 0.003), (6.25e-4, 0.007, 0.002)):
+            with self.subTest(spacing):
+                probes, _ = self.run_example(
+                    "plate_with_hole", "--set", f"body.spacing={spacing}"
+                )
+
+                self.assertAlmostEqual(probes["A.cauchy_xx"][-1] / 16.74e6, 1.0, delta=stress)
+                self.assertAlmostEqual(
+                    probes["edge.displacement_x"][-1] / 3.534e-3, 1.0, delta=motion
+                )
+                with self.fields("plate_with_hole") as file:
+                    largest = file["points/X"][file["frames/cauchy"][-1, :, 0].argmax()]
+                self.assertLess(np.hypot(largest[0], largest[1] - 0.01), spacing)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,277 @@
+"""tlsph converge: the table, its files and figure, what it refuses, what it keeps."""
+
+import csv
+import json
+import os
+import pty
+import re
+import signal
+import time
+import unittest
+
+import numpy as np
+
+from support import BAR, PROGRAM, SHEET, SOURCE, ProgramTest
+
+SMOOTH = BAR.replace("rise = 5e-3", "rise = 1e-2")
+HEADER = (
+    "spacing,particles,steps,dt,wall_seconds,formulation,displacement,velocity,stress,"
+    "order_displacement,order_velocity,order_stress,failure"
+)
+
+
+class Convergence(ProgramTest):
+    def converge(self, *arguments, code=0, scene=SMOOTH, **options):
+        self.write("scene.toml", scene)
+        done = self.tlsph("converge", "scene.toml", *arguments, **options)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return done
+
+    def rows(self, out="study"):
+        with open(self.folder / out / "convergence.csv", encoding="utf-8", newline="") as file:
+            return list(csv.DictReader(file))
+
+    def report(self, out="study"):
+        return json.loads((self.folder / out / "convergence.json").read_text(encoding="utf-8"))
+
+    @staticmethod
+    def numbers(rows, name):
+        return np.array([float(row[name]) for row in rows])
+
+    @staticmethod
+    def without_figure():
+        return dict(os.environ, TLSPH_PLOT="/no/such/plot.py")
+
+
+class Table(Convergence):
+    def test_exact(self):
+        done = self.converge("--spacing", "0.025,0.1,0.05", "--out", "study")
+
+        self.assertEqual(done.stderr, "")
+        self.assertEqual(
+            (self.folder / "study/convergence.csv").read_text(encoding="utf-8").splitlines()[0], HEADER
+        )
+        rows = self.rows()
+        self.assertEqual([float(row["spacing"]) for row in rows], [0.1, 0.05, 0.025])
+        self.assertEqual([row["particles"] for row in rows], ["11", "21", "41"])
+        self.assertEqual({row["formulation"] for row in rows}, {"stress-point"})
+        report = self.report()
+        self.assertEqual(report["method"], "exact")
+        for order in report["orders"]:
+            errors = self.numbers(rows, order["quantity"])
+            slope = np.polyfit(np.log(self.numbers(rows, "spacing")), np.log(errors), 1)[0]
+            self.assertAlmostEqual(order["order"], slope, places=10)
+            self.assertAlmostEqual(order["order"], 2.0, delta=0.25)
+            pairwise = np.log2(errors[:-1] / errors[1:])
+            np.testing.assert_allclose(
+                self.numbers(rows[1:], "order_" + order["quantity"]), pairwise, atol=1e-10
+            )
+            self.assertEqual(rows[0]["order_" + order["quantity"]], "")
+            self.assertRegex(done.stdout, rf"fitted order.*\b{order['order']:.2f}\b")
+        self.assertEqual(len(re.findall(r"(?m)^ +0\.\d+ +\d+ +\d+ .*e-", done.stdout)), 3)
+
+    def test_errors_are_those_of_the_run(self):
+        self.converge("--spacing", "0.1,0.05", "--out", "study")
+
+        out = self.run_scene(SMOOTH, "--set", "body.spacing=0.05")
+
+        summary = json.loads((out / "summary.json").read_text(encoding="utf-8"))
+        row = self.report()["rows"][1]
+        for name in ("displacement", "velocity", "stress"):
+            self.assertEqual(row[name], summary["errors"][name])
+        for name in ("particles", "steps", "dt"):
+            self.assertEqual(row[name], summary[name])
+
+    def test_formulations(self):
+        self.converge("--spacing", "0.1,0.05", "--formulation", "mirror,stress-point", "--out", "study")
+
+        self.assertEqual(
+            [(row["formulation"], float(row["spacing"])) for row in self.rows()],
+            [("mirror", 0.1), ("mirror", 0.05), ("stress-point", 0.1), ("stress-point", 0.05)],
+        )
+        self.assertEqual(
+            {(order["formulation"], order["quantity"]) for order in self.report()["orders"]},
+            {(f, q) for f in ("mirror", "stress-point") for q in ("displacement", "velocity", "stress")},
+        )
+
+    def test_probes(self):
+        sheet = SHEET.replace("duration = 5e-3", "duration = 2e-2")
+
+        done = self.converge("--spacing", "0.2,0.1,0.05", "--out", "study", scene=sheet)
+
+        self.assertIn("no exact solution", done.stdout)
+        report, rows = self.report(), self.rows()
+        self.assertEqual(report["method"], "probes")
+        self.assertEqual(report["quantities"], ["displacement", "pk1", "von_mises"])
+        for spacing in ("0.2", "0.1", "0.05"):
+            self.assertTrue((self.folder / "study/stress-point" / spacing / "probes.csv").is_file())
+        for row, nextrow in zip(rows[:1], rows[1:]):
+            self.assertGreater(float(row["displacement"]), float(nextrow["displacement"]))
+        self.assertEqual(rows[2]["displacement"], "")
+        self.assertGreater(float(rows[2]["order_displacement"]), 1.0)
+
+        # The same from the histories themselves, with linear interpolation.
+        histories = [
+            np.genfromtxt(self.folder / f"study/stress-point/{s}/probes.csv", delimiter=",", names=True)
+            for s in ("0.2", "0.1", "0.05")
+        ]
+        t = histories[2]["time"]
+        columns = ["cornerdisplacement_x", "cornerdisplacement_y"]
+
+        def norm(values):
+            return np.sqrt(np.trapz(np.sum(np.square(values), axis=0), t))
+
+        q = [np.array([np.interp(t, h["time"], h[c]) for c in columns]) for h in histories]
+        for k in range(2):
+            self.assertAlmostEqual(
+                float(rows[k]["displacement"]) / (norm(q[k] - q[k + 1]) / norm(q[2])), 1.0, delta=0.05
+            )
+
+    def test_set_reaches_every_run(self):
+        self.converge("--spacing", "0.1,0.05", "--set", "time.end=1e-2", "--out", "study")
+
+        for row in self.rows():
+            self.assertLess(float(row["dt"]) * (int(row["steps"]) - 1), 1e-2)
+
+    def test_default_folder(self):
+        self.converge("--spacing", "0.1,0.05", "--quiet")
+
+        self.assertTrue((self.folder / "out/scene-converge/convergence.json").is_file())
+
+    def test_quiet(self):
+        done = self.converge("--spacing", "0.1,0.05", "--quiet")
+
+        self.assertEqual((done.stdout, done.stderr), ("", ""))
+
+    def test_bar_on_a_terminal(self):
+        self.write("scene.toml", SMOOTH)
+        shown = b""
+
+        pid, terminal = pty.fork()
+        if pid == 0:
+            os.chdir(self.folder)
+            os.execv(PROGRAM, [PROGRAM, "converge", "scene.toml", "--spacing", "0.1,0.05",
+                               "--set", "time.end=10"])
+        try:
+            while chunk := os.read(terminal, 4096):
+                shown += chunk
+        except OSError:  # the program closed its side
+            pass
+        _, status = os.waitpid(pid, 0)
+
+        self.assertEqual(os.waitstatus_to_exitcode(status), 0, shown)
+        self.assertRegex(shown, rb"\r\[=* *\] +\d+ %  step \d+ of \d+")
+        self.assertIn(b"fitted order", shown)
+
+
+class Figures(Convergence):
+    def test_figure(self):
+        done = self.converge(
+            "--spacing", "0.1,0.05", "--out", "study",
+            env=dict(os.environ, TLSPH_PLOT=str(SOURCE / "validation/plot.py")),
+        )
+
+        self.assertEqual((self.folder / "study/convergence.png").read_bytes()[:4], b"\x89PNG")
+        self.assertIn("study/convergence.png", done.stdout)
+
+    def test_no_figure_says_how(self):
+        done = self.converge("--spacing", "0.1,0.05", "--out", "study", env=self.without_figure())
+
+        self.assertIn("draw it with: python3 /no/such/plot.py convergence study/convergence.csv", done.stdout)
+        self.assertFalse((self.folder / "study/convergence.png").exists())
+
+
+class Refusals(Convergence):
+    def test_bad_input(self):
+        free = SMOOTH.replace('[reference]\nexact = "bar-wave"\n', "")
+        blind = re.sub(r"\[\[probe\]\]\n(?:[^\[\n].*\n)*", "", free)
+        two = ["--spacing", "0.1,0.05"]
+        for arguments, scene, message in (
+            ([], SMOOTH, "--spacing"),
+            (["--spacing"], SMOOTH, "--spacing"),
+            (["--spacing", ""], SMOOTH, "--spacing"),
+            (["--spacing", "0.1"], SMOOTH, "--spacing: 1 given; at least 2"),
+            (["--spacing", "0.1,fine"], SMOOTH, "fine"),
+            (["--spacing", "0.1,,0.05"], SMOOTH, "--spacing"),
+            (["--spacing", "0.1,0.05x"], SMOOTH, "0.05x"),
+            (["--spacing", "0.1,nan"], SMOOTH, "nan is no spacing"),
+            (["--spacing", "0.1,inf"], SMOOTH, "inf is no spacing"),
+            (["--spacing", "0.1,0"], SMOOTH, "0 is no spacing"),
+            (["--spacing", "0.1,-0.05"], SMOOTH, "-0.05 is no spacing"),
+            (["--spacing", "0.1,0.05,0.1"], SMOOTH, "0.1 stands twice"),
+            (["--spacing", "0.1,0.07"], SMOOTH, "spacing"),
+            (["--spacing", "0.1,1e-12"], SMOOTH, "spacing"),
+            ([*two, "--formulation", "finite-elements"], SMOOTH, "finite-elements"),
+            ([*two, "--formulation", "mirror,mirror"], SMOOTH, "mirror stands twice"),
+            ([*two, "--formulation", ""], SMOOTH, "--formulation"),
+            ([*two, "--set", "material.poisson=0.5"], SMOOTH, "poisson"),
+            ([*two, "--set", "no.such=1"], SMOOTH, "no"),
+            ([*two, "--threads", "0"], SMOOTH, "--threads"),
+            (two, free, "at least 3"),
+            (["--spacing", "0.1,0.05,0.025"], blind, "nothing to compare"),
+            (two, "dimension = 7", "dimension"),
+            (["--spacing", "0.2,0.1,0.05", "--formulation", "stress-point,mirror"], SHEET, "mirror"),
+        ):
+            with self.subTest(arguments):
+                done = self.converge(*arguments, code=2, scene=scene)
+
+                self.assertIn(message, done.stderr)
+                self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+                self.assertEqual(done.stdout, "")
+                self.assertEqual(self.listing(), ["scene.toml"])
+
+    def test_no_such_scene(self):
+        done = self.tlsph("converge", "nothing.toml", "--spacing", "0.1,0.05")
+
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("nothing.toml", done.stderr)
+
+    def test_output_in_the_way(self):
+        self.write("study", "a file, not a folder")
+
+        done = self.converge("--spacing", "0.1,0.05", "--out", "study", code=4)
+
+        self.assertIn("study", done.stderr)
+
+
+class Failures(Convergence):
+    def test_failed_run_is_a_row(self):
+        # A step of 1.5 ms holds at the spacings 0.2 and 0.1 (critical 5.4 and 2.7 ms), not at 0.0125.
+        done = self.converge(
+            "--spacing", "0.2,0.0125,0.1", "--out", "study", "--set", "time.step=1.5e-3",
+            "--set", "time.end=0.5", code=3,
+        )
+
+        rows = self.rows()
+        self.assertEqual([bool(row["failure"]) for row in rows], [False, False, True])
+        self.assertEqual(rows[2]["displacement"], "")
+        self.assertGreater(float(rows[1]["displacement"]), 0.0)
+        self.assertIn("failed: " + rows[2]["failure"], done.stdout)
+        self.assertIn("1 of 3 runs failed", done.stderr)
+        self.assertEqual(self.report()["rows"][2]["failure"], rows[2]["failure"])
+
+    def assert_keeps_what_is_done(self, number, code):
+        self.write("scene.toml", SMOOTH)
+        process = self.start("converge", "scene.toml", "--spacing", "0.1,0.05,0.0001", "--out", "study",
+                             "--threads", "1", "--quiet", "--set", "time.end=1.0")
+        limit = time.monotonic() + 120
+        while not (self.folder / "study/convergence.csv").is_file() or len(self.rows()) < 2:
+            self.assertIsNone(process.poll(), "the study ended before it could be interrupted")
+            self.assertLess(time.monotonic(), limit)
+            time.sleep(0.02)
+
+        process.send_signal(number)
+
+        self.assertEqual(process.wait(timeout=120), code)
+        self.assertEqual([float(row["spacing"]) for row in self.rows()], [0.1, 0.05])
+        self.assertTrue(self.report()["interrupted"])
+
+    def test_interrupt(self):
+        self.assert_keeps_what_is_done(signal.SIGINT, 130)
+
+    def test_terminate(self):
+        self.assert_keeps_what_is_done(signal.SIGTERM, 143)
+
+
+if __name__ == "__main__":
+    unittest.main()
