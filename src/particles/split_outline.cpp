@@ -1,0 +1,102 @@
+#include "split_outline.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "tlsph/geometry/region.hpp"
+
+namespace tlsph {
+namespace {
+
+constexpr double cosine_of_a_kink = 0.94;  // 20°
+
+/// The piece closest to x and its point there.
+struct Foot {
+  const OutlinePiece* piece = nullptr;
+  Vector<2> point = Vector<2>::Zero();
+  double squared = std::numeric_limits<double>::infinity();
+};
+
+void approach(const std::vector<OutlinePiece>& pieces, const Vector<2>& x, Foot& foot) {
+  for (const auto& piece : pieces) {
+    const Vector<2> point = piece.closest(x);
+    const double squared = (point - x).squaredNorm();
+    if (squared < foot.squared) foot = {&piece, point, squared};
+  }
+}
+
+Foot closest(const std::vector<OutlinePiece>& pieces, const Vector<2>& x) {
+  Foot foot;
+  approach(pieces, x, foot);
+  return foot;
+}
+
+}  // namespace
+
+SplitOutline::SplitOutline(const Particles<2>& lattice, const Shape<2>& shape)
+    : box_(bounding_box(shape)), spacing_(lattice.spacings) {
+  for (const auto& piece : outline(shape))
+    (on_lattice_line(piece) ? straight_ : curve_).push_back(piece);
+  for (const auto& a : curve_)
+    for (const auto& b : curve_)
+      if ((a.to - b.from).norm() <= tolerance() &&
+          a.normal(1.0).dot(b.normal(0.0)) < cosine_of_a_kink)
+        kinks_.push_back(a.to);
+}
+
+Vector<2> SplitOutline::closest_on_curve(const Vector<2>& x) const {
+  return closest(curve_, x).point;
+}
+
+double SplitOutline::distance_to_curve(const Vector<2>& x) const {
+  return std::sqrt(closest(curve_, x).squared);
+}
+
+bool SplitOutline::on_straight(const Vector<2>& x) const {
+  return std::sqrt(closest(straight_, x).squared) <= tolerance();
+}
+
+Vector<2> SplitOutline::normal(const Vector<2>& x) const {
+  Foot foot = closest(straight_, x);
+  approach(curve_, x, foot);
+  if (!foot.piece->is_arc()) return foot.piece->normal(0.5);
+  return std::copysign(1.0, foot.piece->sweep) * (foot.point - foot.piece->centre) /
+         foot.piece->radius;
+}
+
+std::optional<Vector<2>> SplitOutline::junction(const Vector<2>& x) const {
+  std::optional<Vector<2>> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& piece : straight_) {
+    if ((piece.closest(x) - x).norm() > tolerance()) continue;
+    for (const Vector<2>& end : {piece.from, piece.to})
+      if ((end - x).norm() < least && distance_to_curve(end) <= tolerance()) {
+        least = (end - x).norm();
+        best = end;
+      }
+  }
+  return best;
+}
+
+std::vector<Vector<2>> SplitOutline::samples(double step) const {
+  std::vector<Vector<2>> points;
+  for (const auto* pieces : {&straight_, &curve_})
+    for (const auto& piece : *pieces) {
+      const double count = std::ceil(piece.length() / step);
+      for (double k = 0.0; k < count; k += 1.0) points.push_back(piece.at(k / count));
+    }
+  return points;
+}
+
+bool SplitOutline::on_lattice_line(const OutlinePiece& piece) const {
+  if (piece.is_arc()) return false;
+  for (int a = 0; a < 2; ++a) {
+    const double line = (piece.from(a) - box_.lower(a)) / spacing_(a);
+    if (std::abs(piece.from(a) - piece.to(a)) <= tolerance() &&
+        std::abs(line - std::round(line)) <= 1e-8)
+      return true;
+  }
+  return false;
+}
+
+}  // namespace tlsph
