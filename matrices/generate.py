@@ -149,7 +149,7 @@ def fitted(out, base, kernel, support):
     layout = arithmetic(base, kernel)
     G = op.fitted_gradient(layout, KERNELS[kernel], suit(layout, support))
     out.add_directions(base, G, "G", "stress-point", "fit", kernel, support,
-                       says="slope of the linear fit with weights V_q W")
+                       says="slope of the linear fit with weights W")
 
 
 LOADS = "columns: strain at the left end, displacement of the right end"

@@ -164,7 +164,7 @@ def mixed_gradient(layout, kernel, support):
 
 
 def fitted_gradient(layout, kernel, support):
-    """Slope b at each stress point of the fit min sum_q V_q W(r_q) (f_q - c - b.(X_q - X_s))^2."""
+    """Slope b at each stress point of the fit min sum_q W(r_q) (f_q - c - b.(X_q - X_s))^2."""
     points, _ = stress_points(layout)
     h = support * layout.spacing
     d = range(layout.dimension)
@@ -172,7 +172,7 @@ def fitted_gradient(layout, kernel, support):
     for s, x in enumerate(points):
         e = {q: minus(xq, x) for q, xq in enumerate(layout.X)}
         r = {q: sqrt(dot(v, v)) for q, v in e.items()}
-        w = {q: layout.V[q] * kernel.shape(r[q] / h) for q in e if r[q] < h}
+        w = {q: kernel.shape(r[q] / h) for q in e if r[q] < h}
         total = sum(w.values())
         mean = [sum(w[q] * e[q][a] for q in w) / total for a in d]
         f = {q: minus(e[q], mean) for q in w}

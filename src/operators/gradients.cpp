@@ -106,6 +106,7 @@ VectorOperator<D> plain_gradient(const AnyKernel& kernel, double h, const Vector
 template <int D>
 VectorOperator<D> collocated_gradient(const AnyKernel& kernel, double h, const VectorField<D>& X,
                                       const ScalarField& V, Correction correction) {
+  if (correction == Correction::least_squares) return point_gradient<D>(kernel, h, X, X);
   Neighbours near = find_neighbours<D>(X, X, h);
   std::vector<double> weights(near.column.size() * D);
   std::visit(
@@ -192,7 +193,7 @@ VectorOperator<D> cell_gradient(const Particles<D>& particles, const MaterialPoi
 
 template <int D>
 VectorOperator<D> point_gradient(const AnyKernel& kernel, double h, const VectorField<D>& points,
-                                 const VectorField<D>& X, const ScalarField& V) {
+                                 const VectorField<D>& X) {
   Neighbours near = find_neighbours<D>(points, X, h);
   std::vector<double> weights(near.column.size() * D);
   std::visit(
@@ -201,23 +202,23 @@ VectorOperator<D> point_gradient(const AnyKernel& kernel, double h, const Vector
           // Centred on the weighted mean, the fit of c + g·(X − X̄) decouples: g = M⁻¹ Σ w (X − X̄) f.
           double sum = 0.0;
           Vector<D> mean = Vector<D>::Zero();
-          for_row<D>(near, points, X, s, [&](Index, Index q, const Vector<D>& difference) {
-            const double w = V[q] * kernel_value<D>(family, difference.norm(), h);
+          for_row<D>(near, points, X, s, [&](Index, Index, const Vector<D>& difference) {
+            const double w = kernel_value<D>(family, difference.norm(), h);
             sum += w;
             mean -= w * difference;
           });
           mean /= sum;
           Tensor<D> moment = Tensor<D>::Zero();
-          for_row<D>(near, points, X, s, [&](Index, Index q, const Vector<D>& difference) {
-            const double w = V[q] * kernel_value<D>(family, difference.norm(), h) / sum;
+          for_row<D>(near, points, X, s, [&](Index, Index, const Vector<D>& difference) {
+            const double w = kernel_value<D>(family, difference.norm(), h) / sum;
             const Vector<D> arm = -difference - mean;
             moment += w * arm * arm.transpose();
           });
           const auto row = static_cast<std::size_t>(s);
           const Tensor<D> inverse = inverse_moment<D>(
               moment, h * h, position<D>(points, s), near.start[row + 1] - near.start[row], h);
-          for_row<D>(near, points, X, s, [&](Index k, Index q, const Vector<D>& difference) {
-            const double w = V[q] * kernel_value<D>(family, difference.norm(), h) / sum;
+          for_row<D>(near, points, X, s, [&](Index k, Index, const Vector<D>& difference) {
+            const double w = kernel_value<D>(family, difference.norm(), h) / sum;
             const Vector<D> weight = w * inverse * (-difference - mean);
             store<D>(weights, k, weight);
           });
@@ -236,7 +237,7 @@ VectorOperator<D> point_gradient(const AnyKernel& kernel, double h, const Vector
       const AnyKernel&, double, const VectorField<D>&, const ScalarField&, Correction);          \
   template VectorOperator<D> cell_gradient<D>(const Particles<D>&, const MaterialPoints<D>&);    \
   template VectorOperator<D> point_gradient<D>(const AnyKernel&, double, const VectorField<D>&,  \
-                                               const VectorField<D>&, const ScalarField&);
+                                               const VectorField<D>&);
 TLSPH_INSTANTIATE(1)
 TLSPH_INSTANTIATE(2)
 #undef TLSPH_INSTANTIATE

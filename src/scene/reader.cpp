@@ -31,7 +31,7 @@ KernelScene read_kernel(const TableView& view, Formulation formulation) {
     kernel.support = 2.5;
   kernel.correction =
       view.choice_or("correction", is_ghosted(formulation) ? GradientCorrection::none
-                                                           : GradientCorrection::gradient);
+                                                           : GradientCorrection::least_squares);
   return kernel;
 }
 

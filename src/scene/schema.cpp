@@ -86,10 +86,10 @@ std::vector<Key> all_keys() {
        kernel_choices(), "shape of the kernel"},
       {"kernel", "support", number, "", "spacings", "(2.5; stress-point: the nodes of each cell)",
        ">= 1", "full radius of the kernel"},
-      {"kernel", "correction", text, "", "", "(gradient; thesis and mirror: none)",
+      {"kernel", "correction", text, "", "", "(least-squares; thesis and mirror: none)",
        choices<GradientCorrection>(),
-       "gradients of collocated nodes: exact for linear fields, kernel and gradient mixed, or "
-       "plain"},
+       "gradients of collocated nodes: a fitted plane, the gradient or mixed correction of Bonet and "
+       "Lok, or plain differences"},
 
       {"stabiliser", "kind", text, "", "",
        "(2D: cell for stress-point on its cells, pair for variational; else none)",

@@ -14,6 +14,8 @@ Correction correction_of(const Scene& scene) {
       return Correction::none;
     case GradientCorrection::mixed:
       return Correction::mixed;
+    case GradientCorrection::least_squares:
+      return Correction::least_squares;
     case GradientCorrection::gradient:
       break;
   }
@@ -60,7 +62,7 @@ void add_adjoint_operators(const Scene& scene, Discretisation<D>& disc) {
                                            correction_of(scene));
   else if (scene.kernel.support)
     disc.gradient =
-        point_gradient<D>(kernel_of(scene), h, disc.points.X, particles.X, particles.V);
+        point_gradient<D>(kernel_of(scene), h, disc.points.X, particles.X);
   else
     disc.gradient = cell_gradient<D>(particles, disc.points);
   disc.divergence = disc.gradient.negative_adjoint(disc.points.V);

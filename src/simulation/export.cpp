@@ -111,7 +111,6 @@ void export_in(const Scene& scene, const std::filesystem::path& directory) {
     const GhostLattice<D>& lattice = disc.ghosts->lattice();
     X = lattice.X;
     V = ScalarField::Constant(X.rows(), disc.particles.spacings.prod());
-    V.head(disc.nodes()) = disc.particles.V;
     tags.resize(static_cast<std::size_t>(X.rows()), std::int64_t{1} << 62);
   }
   CloudView particles{D, flat(X), flat(V), tags, {}};
@@ -120,7 +119,10 @@ void export_in(const Scene& scene, const std::filesystem::path& directory) {
     for (const int node : disc.particles.patches[bit].nodes)
       tags[static_cast<std::size_t>(node)] |= std::int64_t{1} << bit;
   }
-  Exporter out(directory, particles, {D, flat(disc.points.X), flat(disc.points.V)});
+  // With ghosts, nodes are the material points of the strong form: one cloud, lattice volumes.
+  Exporter out(directory, particles,
+               disc.ghosts ? CloudView{D, flat(X), flat(V)}
+                           : CloudView{D, flat(disc.points.X), flat(disc.points.V)});
   out.set("scene", scene.file);
   out.set("version", version());
   out.set("dimension", D);
@@ -132,6 +134,9 @@ void export_in(const Scene& scene, const std::filesystem::path& directory) {
   if (disc.ghosts) {
     out.write("W", disc.ghosts->kernel_matrix());
     write_vector_operator<D>(out, "G", disc.ghosts->plain_gradient());
+    write_vector_operator<D>(out, "D", disc.ghosts->plain_gradient().row_scaled(V));
+    // The force operator of the run, the ghosts of the stress eliminated.
+    write_vector_operator<D>(out, "D_folded", disc.divergence);
     out.report().set("boundary_systems", disc.ghosts->report());
   } else {
     if (scene.kernel.support) {
@@ -141,8 +146,8 @@ void export_in(const Scene& scene, const std::filesystem::path& directory) {
     }
     write_vector_operator<D>(out, "G", disc.gradient);
     report_consistency<D>(out, disc);
+    write_vector_operator<D>(out, "D", disc.divergence);
   }
-  write_vector_operator<D>(out, "D", disc.divergence);
   SparseMatrix mass(disc.nodes(), disc.nodes());
   mass.setIdentity();
   mass.diagonal() = disc.mass;

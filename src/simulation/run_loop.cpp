@@ -100,12 +100,15 @@ void RunLoop<D>::run(Summary& summary) {
       follow_deformation();
       observe();
       if (state_.step == clock_.last()) break;
+      step();
+      // A checkpoint holds a step that is not booked yet: the loop, or a resumed one, does that next.
       if (options_.stop_requested != nullptr && *options_.stop_requested) {
         summary.interrupted = true;
+        save_checkpoint();
+        evaluate<D>(disc_, state_);
         break;
       }
       if (checkpoint_due()) save_checkpoint();
-      step();
     }
   } catch (const NumericalError& failure) {
     summary.failure = failure.what();
@@ -113,7 +116,6 @@ void RunLoop<D>::run(Summary& summary) {
     close_books();
     throw;
   }
-  if (summary.interrupted) save_checkpoint();
   if (exact_.displacement && !summary.interrupted) {
     const RelativeErrors errors = errors_against<D>(exact_, disc_, state_, clock_.dt);
     summary.errors = FieldErrors{errors.displacement, errors.velocity, errors.stress};

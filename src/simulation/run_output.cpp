@@ -47,7 +47,18 @@ RunLayout layout_of(const Scene& scene, const Discretisation<D>& disc) {
   layout.points = static_cast<std::size_t>(disc.points.size());
   for (const std::string& name : scene.output.fields) layout.fields.push_back(frame_field(name));
   layout.series = series_layout<D>();
+  layout.points_are_cells =
+      !disc.particles.cells.empty() && layout.points == disc.particles.cells.size();
   return layout;
+}
+
+/// Their nodes, cell by cell.
+template <int D>
+std::vector<std::int32_t> corners(const std::vector<Cell<D>>& cells) {
+  std::vector<std::int32_t> nodes;
+  nodes.reserve(cells.size() << D);
+  for (const Cell<D>& cell : cells) nodes.insert(nodes.end(), cell.begin(), cell.end());
+  return nodes;
 }
 
 /// Columns of probes_exact.csv: what an ExactSolution can answer.
@@ -86,15 +97,17 @@ RunOutput<D>::RunOutput(const std::filesystem::path& directory, const Scene& sce
   start.version = version();
   start.particles = {D, flat(disc.particles.X), flat(disc.particles.V), tags, {}};
   start.points = {D, flat(disc.points.X), flat(disc.points.V)};
+  std::vector<std::int32_t> cells;
+  if (layout_.points_are_cells) start.cells = cells = corners<D>(disc.particles.cells);
   for (std::size_t bit = 0; bit < disc.particles.patches.size() && bit < 63; ++bit) {
     start.particles.patches.push_back(disc.particles.patches[bit].name);
     for (const int node : disc.particles.patches[bit].nodes)
       tags[static_cast<std::size_t>(node)] |= std::int64_t{1} << bit;
   }
   const auto run_path = directory / "run.h5";
-  run_file_.emplace(resumed ? RunFile::resume(run_path, layout_, start, resumed->frames,
-                                              resumed->series)
-                            : RunFile::create(run_path, layout_, start));
+  run_file_.emplace(
+      resumed ? RunFile::resume(run_path, layout_, start, resumed->frames, resumed->series)
+              : RunFile::create(run_path, layout_, start));
 
   const auto open = [&](const char* name, const std::vector<std::string>& columns) {
     return resumed ? CsvWriter::resume(directory / name, columns, resumed->probes)
@@ -117,9 +130,8 @@ RunOutput<D>::RunOutput(const std::filesystem::path& directory, const Scene& sce
 }
 
 template <int D>
-std::span<const double> RunOutput<D>::field(const std::string& name,
-                                            const Discretisation<D>& disc, const State<D>& state,
-                                            double dt) {
+std::span<const double> RunOutput<D>::field(const std::string& name, const Discretisation<D>& disc,
+                                            const State<D>& state, double dt) {
   if (name == "displacement") return flat(state.u);
   if (name == "pk1") return flat(state.P);
   const auto quantity = from_name<Quantity>(name).value_or(Quantity::displacement);
@@ -181,9 +193,8 @@ void RunOutput<D>::write_exact(double time) {
     for (const Quantity quantity : probe.record) {
       if (!has_exact(quantity)) continue;
       if (quantity == Quantity::displacement || quantity == Quantity::velocity) {
-        const Vector<D> value = quantity == Quantity::displacement
-                                    ? exact_->displacement(X, time)
-                                    : exact_->velocity(X, time);
+        const Vector<D> value = quantity == Quantity::displacement ? exact_->displacement(X, time)
+                                                                   : exact_->velocity(X, time);
         for (int i = 0; i < D; ++i) probe_row_[out++] = value[i];
       } else {
         const Tensor<D> value = exact_->stress(X, time);

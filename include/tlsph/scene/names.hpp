@@ -45,10 +45,11 @@ struct Names<Placement> {
 };
 template <>
 struct Names<GradientCorrection> {
-  static constexpr NameList<GradientCorrection, 3> list = {
+  static constexpr NameList<GradientCorrection, 4> list = {
       {{"none", GradientCorrection::none},
        {"gradient", GradientCorrection::gradient},
-       {"mixed", GradientCorrection::mixed}}};
+       {"mixed", GradientCorrection::mixed},
+       {"least-squares", GradientCorrection::least_squares}}};
 };
 template <>
 struct Names<StabiliserKind> {

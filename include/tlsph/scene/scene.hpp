@@ -22,8 +22,9 @@ enum class Formulation { thesis, mirror, variational, stress_point };
 enum class GhostTreatment { consistent, as_printed, eta };
 enum class BoundarySolver { automatic, cholmod, umfpack };
 enum class Placement { on_boundary, cell_centred };
-/// Corrections of seed 003 for collocated gradients: (42) gradient, (54)–(58) mixed, or none.
-enum class GradientCorrection { none, gradient, mixed };
+/// Collocated gradients: a least-squares fit, or the corrections of Bonet & Lok, (42) gradient,
+/// (54)–(58) mixed, none.
+enum class GradientCorrection { none, gradient, mixed, least_squares };
 enum class StabiliserKind { none, pair, cell };
 enum class StabiliserAction { stiffness, viscosity };
 enum class LawKind { linear_elastic, st_venant_kirchhoff, neo_hookean };
@@ -52,7 +53,7 @@ struct KernelScene {
   std::string family;  // default by formulation
   std::optional<double>
       support;  // full radius in spacings; empty = nodes of the cell (stress-point)
-  GradientCorrection correction = GradientCorrection::gradient;
+  GradientCorrection correction = GradientCorrection::least_squares;
   Place place;
 };
 

@@ -35,7 +35,7 @@ VectorOperator<D> gradient_of(const Entry& entry, const Particles<D>& particles,
   const AnyKernel kernel = kernel_by_name(entry.kernel).value();
   const double h = entry.radius();
   if (entry.formulation == "stress-point")
-    return point_gradient<D>(kernel, h, points.X, particles.X, particles.V);
+    return point_gradient<D>(kernel, h, points.X, particles.X);
   if (entry.formulation == "thesis") return plain_gradient<D>(kernel, h, particles.X, particles.V);
   const Correction correction = entry.correction == "none"       ? Correction::none
                                 : entry.correction == "gradient" ? Correction::gradient

@@ -79,7 +79,7 @@ TEST_P(DefaultsByFormulation, KernelAndStabiliser) {
 }
 
 constexpr auto plain = GradientCorrection::none;
-constexpr auto corrected = GradientCorrection::gradient;
+constexpr auto corrected = GradientCorrection::least_squares;
 INSTANTIATE_TEST_SUITE_P(
     All, DefaultsByFormulation,
     testing::Values(
