@@ -22,6 +22,18 @@ double peak_memory() {
   return static_cast<double>(usage.ru_maxrss) * 1024.0;
 }
 
+/// Sets the number of threads and, when it goes, what it was before.
+class ThreadCount {
+ public:
+  explicit ThreadCount(int count) { omp_set_num_threads(count); }
+  ThreadCount(const ThreadCount&) = delete;
+  ThreadCount& operator=(const ThreadCount&) = delete;
+  ~ThreadCount() { omp_set_num_threads(before_); }
+
+ private:
+  int before_ = omp_get_max_threads();
+};
+
 template <int D>
 void describe(const Scene& scene, const Discretisation<D>& disc, Summary& summary) {
   summary.scene = scene.file;
@@ -47,7 +59,7 @@ void describe(const Scene& scene, const Discretisation<D>& disc, Summary& summar
 template <int D>
 Summary run_in(const Scene& scene, const RunOptions& options) {
   const Stopwatch setup;
-  omp_set_num_threads(options.threads > 0 ? options.threads : omp_get_num_procs());
+  const ThreadCount threads(options.threads > 0 ? options.threads : omp_get_max_threads());
   const auto disc = build<D>(scene);
   if (options.threads == 0 && disc.nodes() < one_thread_below) omp_set_num_threads(1);
   Summary summary;
