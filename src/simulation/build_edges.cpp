@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "parts.hpp"
+#include "tlsph/materials/uniaxial.hpp"
 #include "tlsph/scene/names.hpp"
 
 namespace tlsph::parts {
@@ -25,6 +26,23 @@ Curve negated(Curve curve) {
       },
       curve);
   return curve;
+}
+
+/// The strain of the load must exist at all times; a coarse walk along the curve finds out before the
+/// run does.
+template <int D>
+void refuse_unreachable(const Scene& scene, const Discretisation<D>& disc, const Curve& load,
+                        const BoundaryScene& boundary) {
+  constexpr int samples = 256;
+  for (int k = 0; k <= samples; ++k) {
+    const double pressure = value(load, scene.time.end * k / samples);
+    try {
+      for (const Region<D>& region : disc.regions)
+        (void)uniaxial_gradient<D>(region.law, pressure);
+    } catch (const InputError& error) {
+      throw InputError(boundary.place, fmt::format("traction: {}", error.what()));
+    }
+  }
 }
 
 /// Reads one edge; `b` is its normal direction.
@@ -62,6 +80,7 @@ Edge<D> read_edge(const Scene& scene, std::string_view name, int b, Discretisati
       load = lower ? negated(traction.curve) : traction.curve;
     }
     if (load) {
+      refuse_unreachable<D>(scene, disc, *load, boundary);
       edge.traction = signal(*load, Signal::Kind::value);
       edge.gradient = signal(*load, Signal::Kind::uniaxial_gradient);
     }

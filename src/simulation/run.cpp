@@ -68,8 +68,9 @@ Summary run_in(const Scene& scene, const RunOptions& options) {
   summary.wall_setup = setup.seconds();
   const auto write = [&] {
     summary.peak_memory_bytes = peak_memory();
-    if (!options.out.empty())
-      write_text_file(options.out / "summary.json", summary.json());
+    if (options.out.empty()) return;
+    make_output_directory(options.out);
+    write_text_file(options.out / "summary.json", summary.json());
   };
   try {
     RunLoop<D>(scene, options, disc).run(summary);

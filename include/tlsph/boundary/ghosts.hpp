@@ -4,7 +4,7 @@
 /// SPH approximation takes the prescribed value on boundary and ghosts ("modified SPH matrix", 2.46),
 /// factorised once; or, in 1D, the η corrections (2.42), (2.45).
 ///
-/// Errata of the seed, see GhostTreatment: (2.46) as printed drops the coupling W_(BG)I f_I, so that
+/// Erratum of the source: (2.46) as printed drops the coupling W_(BG)I f_I, so that
 /// ⟨f⟩_B ≠ f̄_B against its own claim (2.47). The consistent system is
 ///
 ///     [W_BB W_BG; W_GB W_GG] [f_B; f_G] = f̄ − W_(BG)I f_I.

@@ -7,7 +7,7 @@
 ///     W_pq = V_q W(|X_p − X_q|)          ⟨f⟩  = W f
 ///     X^a_pq = V_q ∂W/∂X_a (X_p − X_q)   ⟨∂f/∂X_a⟩ = X^a f
 ///
-/// Corrected gradients are exact for linear fields: Σ_q G_pq = 0, Σ_q G^a_pq X^b_q = δ_ab (seed 003).
+/// Corrected gradients are exact for linear fields: Σ_q G_pq = 0, Σ_q G^a_pq X^b_q = δ_ab.
 
 #include "tlsph/kernels/families.hpp"
 #include "tlsph/operators/vector_operator.hpp"
@@ -15,7 +15,7 @@
 
 namespace tlsph {
 
-/// Correction of a collocated gradient, Bonet & Lok (seed 003): `none` is the difference form (40),
+/// Correction of a collocated gradient, Bonet & Lok (CMAME 180, 1999): `none` is the difference form (40),
 /// `gradient` (42)–(45), `mixed` (54)–(58). `least_squares` fits a plane by moving least squares
 /// instead: exact for linear fields too, and at boundaries its adjoint is several times nearer to the
 /// divergence theorem, for it weighs with W where the others weigh with ∇W.
