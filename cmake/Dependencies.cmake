@@ -1,6 +1,5 @@
 # Every third party, found once. Debian 12 packages; nothing is downloaded.
 include(LinkDependencies)
 find_package(nanoflann REQUIRED)
-find_package(tomlplusplus REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)

@@ -99,7 +99,7 @@ class Orthogonal {
     if (result == nullptr) {
       throw NumericalError(std::string(method) + ": the solve failed, out of memory", 0.0, -1);
     }
-    const Eigen::MatrixXd copy = Eigen::Map<const Eigen::MatrixXd>(
+    Eigen::MatrixXd copy = Eigen::Map<const Eigen::MatrixXd>(
         static_cast<const double*>(result->x), rows, static_cast<Index>(result->ncol));
     cholmod_l_free_dense(&result, state.get());
     return copy;
