@@ -61,6 +61,29 @@ void add_export(CLI::App& app, CommandLine& line) {
   command->callback([&line] { line.command = Command::export_operators; });
 }
 
+void add_converge(CLI::App& app, CommandLine& line) {
+  auto* command = app.add_subcommand(
+      "converge", "run a scene at several spacings: errors and the orders they fall with");
+  add_scene(*command, line);
+  command
+      ->add_option("--spacing", line.spacings,
+                   "spacings [m], at least two; three where the scene names no exact solution")
+      ->type_name("A,B,C[,...]")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->required();
+  command
+      ->add_option("--formulation", line.formulations,
+                   "formulations to compare; default: the scene's")
+      ->type_name("A[,B,...]")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  add_out(*command, line, "; default: out/<name of the scene>-converge");
+  add_threads(*command, line);
+  add_quiet(*command, line);
+  command->callback([&line] { line.command = Command::converge; });
+}
+
 }  // namespace
 
 std::optional<CommandLine> parse_command_line(int argc, const char* const* argv) {
@@ -72,6 +95,7 @@ std::optional<CommandLine> parse_command_line(int argc, const char* const* argv)
   add_run(app, line);
   add_plan(app, line);
   add_export(app, line);
+  add_converge(app, line);
   app.add_subcommand("scene-reference", "every key of a scene: type, unit, default, range")
       ->callback([&line] { line.command = Command::scene_reference; });
   try {

@@ -9,7 +9,7 @@
 
 namespace tlsph {
 
-enum class Command { run, plan, export_operators, scene_reference };
+enum class Command { run, plan, export_operators, converge, scene_reference };
 
 struct CommandLine {
   Command command = Command::run;
@@ -19,6 +19,8 @@ struct CommandLine {
   int threads = 0;                     // 0: as many as pay
   bool quiet = false;
   bool resume = false;
+  std::vector<double> spacings;           // converge
+  std::vector<std::string> formulations;  // converge; empty: the scene's
 };
 
 /// Reads the arguments. Empty if all the user wanted was help or the version, which is printed

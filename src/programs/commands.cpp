@@ -2,14 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <optional>
 
 #include "interrupt.hpp"
 #include "progress.hpp"
 #include "report.hpp"
+#include "tlsph/core/error.hpp"
 #include "tlsph/scene/reader.hpp"
 #include "tlsph/simulation/simulation.hpp"
+#include "tlsph/studies/converge.hpp"
+#include "tlsph/studies/figure.hpp"
 
 namespace tlsph {
 namespace {
@@ -19,6 +24,10 @@ void print(const std::string& text) {
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
   if (!written || std::fflush(stdout) != 0)
     throw OutputError("the standard output could not be written");
+}
+
+ExitCode interruption() {
+  return interrupt_received() == SIGTERM ? ExitCode::terminated : ExitCode::interrupted;
 }
 
 ExitCode run_scene(const CommandLine& line) {
@@ -35,8 +44,7 @@ ExitCode run_scene(const CommandLine& line) {
 
   display.clear();
   if (!line.quiet) print(run_report(summary, options.out));
-  if (!summary.interrupted) return ExitCode::done;
-  return interrupt_received() == SIGTERM ? ExitCode::terminated : ExitCode::interrupted;
+  return summary.interrupted ? interruption() : ExitCode::done;
 }
 
 ExitCode plan_scene(const CommandLine& line) {
@@ -51,6 +59,44 @@ ExitCode export_scene(const CommandLine& line) {
         fmt::format("operators in {0}/*.mtx and {0}/operators.h5, their properties in "
                     "{0}/report.json\n",
                     line.out.string()));
+  return ExitCode::done;
+}
+
+ExitCode converge_scene(const CommandLine& line) {
+  const std::filesystem::path out =
+      line.out.empty() ? "out" / line.scene.stem().concat("-converge") : line.out;
+  const bool terminal =
+      ProgressDisplay::style_for(stdout, line.quiet) == ProgressDisplay::Style::bar;
+  std::optional<ProgressDisplay> display;  // one a run; elsewhere than on a terminal a line a run
+  ConvergenceOptions options;
+  options.out = out;
+  options.threads = line.threads;
+  options.stop_requested = catch_interrupts();
+  if (terminal) {
+    options.before_run = [&](const ConvergenceRow&) {
+      display.emplace(stdout, ProgressDisplay::Style::bar);
+    };
+    options.progress = [&](const Progress& progress) { display->show(progress); };
+  }
+  if (!line.quiet)
+    options.after_run = [&](const ConvergenceRow& row) {
+      display.reset();
+      print(run_line(row));
+    };
+
+  const ConvergenceTable table =
+      converge({line.scene, line.overrides, line.spacings, line.formulations}, options);
+
+  display.reset();
+  const Figure figure = draw_figure("convergence", out / "convergence.csv");
+  if (!line.quiet) print(fmt::format("\n{}\n{}", table.text(), converge_report(out, figure)));
+  if (table.interrupted) return interruption();
+  const auto failed = std::ranges::count_if(
+      table.rows, [](const ConvergenceRow& row) { return !row.failure.empty(); });
+  if (failed > 0)
+    throw NumericalError(fmt::format("{} of {} runs failed, see {}", failed, table.rows.size(),
+                                     (out / "convergence.csv").string()),
+                         0.0, -1);
   return ExitCode::done;
 }
 
@@ -69,6 +115,8 @@ ExitCode execute(const CommandLine& line) {
       return plan_scene(line);
     case Command::export_operators:
       return export_scene(line);
+    case Command::converge:
+      return converge_scene(line);
     case Command::scene_reference:
       return print_reference();
   }

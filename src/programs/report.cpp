@@ -23,4 +23,17 @@ std::string run_report(const Summary& s, const std::filesystem::path& out) {
   return text + fmt::format("results in {}\n", out.string());
 }
 
+std::string run_line(const ConvergenceRow& row) {
+  const std::string text = fmt::format("{}, spacing {:.6g} m, {} particles: ", row.formulation,
+                                       row.spacing, row.particles);
+  if (!row.failure.empty()) return text + fmt::format("failed: {}\n", row.failure);
+  return text + fmt::format("{} steps in {:.3g} s\n", row.steps, row.wall_seconds);
+}
+
+std::string converge_report(const std::filesystem::path& out, const Figure& figure) {
+  const std::string text = fmt::format("results in {}", out.string());
+  if (figure.drawn) return text + fmt::format(", drawn in {}\n", figure.file.string());
+  return text + fmt::format("\nno figure; draw it with: {}\n", figure.command);
+}
+
 }  // namespace tlsph

@@ -1,14 +1,22 @@
 #pragma once
 /// \file
-/// The lines a run ends with on the screen.
+/// The lines a run or a study ends with on the screen.
 
 #include <filesystem>
 #include <string>
 
 #include "tlsph/simulation/summary.hpp"
+#include "tlsph/studies/converge.hpp"
+#include "tlsph/studies/figure.hpp"
 
 namespace tlsph {
 
 [[nodiscard]] std::string run_report(const Summary& summary, const std::filesystem::path& out);
+
+/// One run of a study, as it ends.
+[[nodiscard]] std::string run_line(const ConvergenceRow& row);
+
+/// Where the files of `converge` are, and how to draw the figure if that did not work.
+[[nodiscard]] std::string converge_report(const std::filesystem::path& out, const Figure& figure);
 
 }  // namespace tlsph

@@ -20,7 +20,7 @@ DOORS = {
     "Eigen": (r"Eigen/", None),
     "fmt": (r"fmt/", None),
     "OpenMP": (r"omp\.h$", None),
-    "POSIX": (r"(unistd|fcntl)\.h$|sys/", None),
+    "POSIX": (r"(unistd|fcntl|spawn)\.h$|sys/", None),
     "toml++": (r"toml", {"scene"}),
     "CLI11": (r"CLI/", {"programs"}),
     "HDF5": (r"hdf5|H5", {"io"}),

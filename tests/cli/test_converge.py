@@ -13,7 +13,8 @@ import numpy as np
 
 from support import BAR, PROGRAM, SHEET, SOURCE, ProgramTest
 
-SMOOTH = BAR.replace("rise = 5e-3", "rise = 1e-2")
+# The exact solution is that of a linear bar.
+SMOOTH = BAR.replace("rise = 5e-3", "rise = 1e-2").replace("[material]", '[material]\nlaw = "linear-elastic"')
 HEADER = (
     "spacing,particles,steps,dt,wall_seconds,formulation,displacement,velocity,stress,"
     "order_displacement,order_velocity,order_stress,failure"
@@ -45,15 +46,15 @@ class Convergence(ProgramTest):
 
 class Table(Convergence):
     def test_exact(self):
-        done = self.converge("--spacing", "0.025,0.1,0.05", "--out", "study")
+        done = self.converge("--spacing", "0.00625,0.025,0.0125", "--out", "study")
 
         self.assertEqual(done.stderr, "")
         self.assertEqual(
             (self.folder / "study/convergence.csv").read_text(encoding="utf-8").splitlines()[0], HEADER
         )
         rows = self.rows()
-        self.assertEqual([float(row["spacing"]) for row in rows], [0.1, 0.05, 0.025])
-        self.assertEqual([row["particles"] for row in rows], ["11", "21", "41"])
+        self.assertEqual([float(row["spacing"]) for row in rows], [0.025, 0.0125, 0.00625])
+        self.assertEqual([row["particles"] for row in rows], ["41", "81", "161"])
         self.assertEqual({row["formulation"] for row in rows}, {"stress-point"})
         report = self.report()
         self.assertEqual(report["method"], "exact")
@@ -61,7 +62,7 @@ class Table(Convergence):
             errors = self.numbers(rows, order["quantity"])
             slope = np.polyfit(np.log(self.numbers(rows, "spacing")), np.log(errors), 1)[0]
             self.assertAlmostEqual(order["order"], slope, places=10)
-            self.assertAlmostEqual(order["order"], 2.0, delta=0.25)
+            self.assertAlmostEqual(order["order"], 2.0, delta=0.1)
             pairwise = np.log2(errors[:-1] / errors[1:])
             np.testing.assert_allclose(
                 self.numbers(rows[1:], "order_" + order["quantity"]), pairwise, atol=1e-10
@@ -192,7 +193,6 @@ class Refusals(Convergence):
             (["--spacing", ""], SMOOTH, "--spacing"),
             (["--spacing", "0.1"], SMOOTH, "--spacing: 1 given; at least 2"),
             (["--spacing", "0.1,fine"], SMOOTH, "fine"),
-            (["--spacing", "0.1,,0.05"], SMOOTH, "--spacing"),
             (["--spacing", "0.1,0.05x"], SMOOTH, "0.05x"),
             (["--spacing", "0.1,nan"], SMOOTH, "nan is no spacing"),
             (["--spacing", "0.1,inf"], SMOOTH, "inf is no spacing"),
@@ -239,7 +239,7 @@ class Failures(Convergence):
         # A step of 1.5 ms holds at the spacings 0.2 and 0.1 (critical 5.4 and 2.7 ms), not at 0.0125.
         done = self.converge(
             "--spacing", "0.2,0.0125,0.1", "--out", "study", "--set", "time.step=1.5e-3",
-            "--set", "time.end=0.5", code=3,
+            "--set", "time.end=0.5", "--set", "material.law=neo-hookean", code=3,
         )
 
         rows = self.rows()

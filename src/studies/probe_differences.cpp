@@ -1,0 +1,57 @@
+#include "probe_differences.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tlsph/scene/names.hpp"
+
+namespace tlsph {
+namespace {
+
+/// Whether `column`, "<probe>.<quantity>_<component>", belongs to the quantity.
+bool belongs(const std::string& column, const std::string& quantity) {
+  const std::string stem = column.substr(column.rfind('.') + 1);
+  return stem == quantity || stem.starts_with(quantity + "_");
+}
+
+}  // namespace
+
+std::vector<std::string> recorded_quantities(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const ProbeScene& probe : scene.probes)
+    for (const Quantity quantity : probe.record) {
+      const std::string name(name_of(quantity));
+      if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+    }
+  return names;
+}
+
+std::vector<std::vector<double>> probe_differences(const std::vector<std::string>& quantities,
+                                                   const std::vector<History>& histories) {
+  if (histories.empty()) return std::vector<std::vector<double>>(quantities.size());
+  const History& finest = histories.back();
+  const std::size_t runs = histories.size();
+  std::vector<std::vector<double>> squares(quantities.size(), std::vector<double>(runs - 1, 0.0));
+  std::vector<double> scale(quantities.size(), 0.0);
+  for (std::size_t column = 0; column < finest.names.size(); ++column)
+    for (std::size_t q = 0; q < quantities.size(); ++q) {
+      if (!belongs(finest.names[column], quantities[q])) continue;
+      scale[q] += squared_norm(finest.time, finest.values[column]);
+      std::vector<double> finer = finest.values[column];
+      for (std::size_t k = runs - 1; k-- > 0;) {
+        std::vector<double> coarse =
+            resample(histories[k].time, histories[k].values[column], finest.time);
+        for (std::size_t i = 0; i < finer.size(); ++i) finer[i] -= coarse[i];
+        squares[q][k] += squared_norm(finest.time, finer);
+        finer = std::move(coarse);
+      }
+    }
+  for (std::size_t q = 0; q < quantities.size(); ++q)
+    for (double& square : squares[q])
+      square =
+          scale[q] > 0.0 ? std::sqrt(square / scale[q]) : std::numeric_limits<double>::quiet_NaN();
+  return squares;
+}
+
+}  // namespace tlsph

@@ -1,0 +1,22 @@
+#pragma once
+/// \file
+/// Self-convergence: how far the probes of runs of falling spacing are apart.
+
+#include <string>
+#include <vector>
+
+#include "tlsph/analysis/history.hpp"
+#include "tlsph/scene/scene.hpp"
+
+namespace tlsph {
+
+/// Quantities the scene's probes record, in their first order, each once.
+[[nodiscard]] std::vector<std::string> recorded_quantities(const Scene& scene);
+
+/// Entry (q, k): ‖a_k − a_{k+1}‖ / ‖a_n‖ of quantity q over all probes and components, for n
+/// histories from coarse to fine, all brought to the times of the last. n − 1 entries a quantity;
+/// not a number where the last vanishes.
+[[nodiscard]] std::vector<std::vector<double>> probe_differences(
+    const std::vector<std::string>& quantities, const std::vector<History>& histories);
+
+}  // namespace tlsph

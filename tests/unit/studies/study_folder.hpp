@@ -1,0 +1,62 @@
+#pragma once
+/// \file
+/// A folder for one test, with a scene in it.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace tlsph {
+
+/// A bar that a smooth push sets in motion; elastic enough for a few hundred steps at most.
+inline const std::string pushed_bar = R"(dimension = 1
+[body]
+shape = { interval = [0.0, 1.0] }
+spacing = 0.1
+[material]
+law = "linear-elastic"
+young = 1e6
+poisson = 0.0
+density = 1000
+[[boundary]]
+where = "left"
+fixed = true
+[[boundary]]
+where = "right"
+traction = { curve = "smooth-ramp", amplitude = 1e3, rise = 2e-2 }
+[time]
+end = 3e-2
+)";
+inline const std::string with_exact = "[reference]\nexact = \"bar-wave\"\n";
+inline const std::string with_probes =
+    "[[probe]]\nname = \"tip\"\nat = [1.0]\nrecord = [\"displacement\", \"pk1\"]\n"
+    "[[probe]]\nname = \"root\"\nat = [0.0]\nrecord = [\"displacement\"]\n";
+
+class StudyFolder : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = std::filesystem::path(testing::TempDir()) /
+              (std::string("tlsph_") + info->test_suite_name() + "_" + info->name());
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::filesystem::path write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+    return folder_ / name;
+  }
+  static std::string read(const std::filesystem::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    return text.str();
+  }
+
+  std::filesystem::path folder_;
+};
+
+}  // namespace tlsph
