@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "tlsph/core/error.hpp"
+#include "tlsph/io/xdmf.hpp"
 
 namespace tlsph {
 namespace {
@@ -59,6 +60,14 @@ void write_vertices(Hdf5File& file, const std::string& group, const CloudView& c
   file.write(group + "/vertices", vertices, {cloud.size()});
 }
 
+/// The nodes of every point that is a cell.
+void write_cells(Hdf5File& file, const RunLayout& layout, std::span<const std::int32_t> cells) {
+  const std::size_t corners = std::size_t{1} << layout.dimension;
+  assert(cells.size() == corners * layout.points);
+  file.write("/points/cells", cells, {layout.points, corners});
+  file.set_attribute("/points/cells", "unit", "1");
+}
+
 void expect_shape(const Hdf5File& file, const std::string& item, const Extents& row_shape,
                   std::size_t least) {
   if (!file.exists(item))
@@ -100,7 +109,8 @@ Hdf5File create_file(const std::filesystem::path& path, const RunLayout& layout,
   write_cloud(file, "/particles", start.particles);
   write_cloud(file, "/points", start.points);
   write_vertices(file, "/xdmf/particles", start.particles);
-  write_vertices(file, "/xdmf/points", start.points);
+  if (layout.points_are_cells) write_cells(file, layout, start.cells);
+  if (!draws_cells(layout)) write_vertices(file, "/xdmf/points", start.points);
   file.create_series("/frames/time", {}, series_chunk_rows);
   file.set_attribute("/frames/time", "unit", "s");
   for (const auto& field : layout.fields) {

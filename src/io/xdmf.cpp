@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <iterator>
 
 #include "tlsph/io/files.hpp"
@@ -61,8 +62,10 @@ struct Document {
     const std::string taken =
         width == 1 ? fmt::format("{}", rows) : fmt::format("{} {}", rows, width);
     constexpr const char* number = R"(Format="HDF" NumberType="Float" Precision="8")";
-    add(text, "<Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"Node\">\n", label, type);
-    add(text, "<Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"Node\">", label, type);
+    const char* centre = draws_cells(layout) && field.site == Site::points ? "Cell" : "Node";
+    const std::string head = fmt::format(
+        "<Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"{}\">", label, type, centre);
+    add(text, "{0}\n{0}", head);
     add(text, "<DataItem {} Dimensions=\"{}\">{}|{}:{}:{}:{}</DataItem></Attribute>\n", number,
         taken, item, start, stride, count, shape);
     add(text, "<DataItem ItemType=\"HyperSlab\" Dimensions=\"{}\">", taken);
@@ -86,51 +89,73 @@ struct Document {
     }
   }
 
-  void grid(Site site, std::size_t frame, double time) {
-    const bool nodes = site == Site::particles;
-    const std::string group = escaped(run_file) + (nodes ? ":/xdmf/particles" : ":/xdmf/points");
-    const std::size_t count = nodes ? layout.particles : layout.points;
-    add(text, "<Grid Name=\"{}\" GridType=\"Uniform\">\n", nodes ? "particles" : "points");
-    add(text, "<Time Value=\"{:.17g}\"/>\n", time);
+  /// All points of one kind as vertices.
+  void vertices(const std::string& group, std::size_t count) {
     add(text,
         "<Topology TopologyType=\"Polyvertex\" NumberOfElements=\"{0}\" NodesPerElement=\"1\">"
         "<DataItem Format=\"HDF\" NumberType=\"Int\" Precision=\"4\" Dimensions=\"{0}\">"
         "{1}/vertices</DataItem></Topology>\n",
         count, group);
+  }
+
+  void quadrilaterals() {
+    add(text,
+        "<Topology TopologyType=\"Quadrilateral\" NumberOfElements=\"{0}\">"
+        "<DataItem Format=\"HDF\" NumberType=\"Int\" Precision=\"4\" Dimensions=\"{0} 4\">"
+        "{1}:/points/cells</DataItem></Topology>\n",
+        layout.points, escaped(run_file));
+  }
+
+  /// One grid with the fields of these sites, their positions those of the first.
+  void grid(const char* name, std::initializer_list<Site> sites, std::size_t frame, double time) {
+    const bool nodes = *sites.begin() == Site::particles;
+    const std::string group = escaped(run_file) + (nodes ? ":/xdmf/particles" : ":/xdmf/points");
+    const std::size_t count = nodes ? layout.particles : layout.points;
+    add(text, "<Grid Name=\"{}\" GridType=\"Uniform\">\n", name);
+    add(text, "<Time Value=\"{:.17g}\"/>\n", time);
+    if (sites.size() > 1)
+      quadrilaterals();
+    else
+      vertices(group, count);
     add(text,
         "<Geometry GeometryType=\"XYZ\"><DataItem Format=\"HDF\" NumberType=\"Float\" "
         "Precision=\"8\" Dimensions=\"{} 3\">{}/positions</DataItem></Geometry>\n",
         count, group);
     for (const auto& entry : layout.fields)
-      if (entry.site == site) field(entry, frame);
+      if (std::ranges::find(sites, entry.site) != sites.end()) field(entry, frame);
+    add(text, "</Grid>\n");
+  }
+
+  /// All grids of a frame.
+  void whole_frame(std::size_t frame, double time) {
+    if (draws_cells(layout)) return grid("body", {Site::particles, Site::points}, frame, time);
+    const bool points =
+        layout.points > 0 && std::ranges::any_of(layout.fields, [](const auto& entry) {
+          return entry.site == Site::points;
+        });
+    if (!points) return grid("particles", {Site::particles}, frame, time);
+    add(text, "<Grid Name=\"frame\" GridType=\"Collection\" CollectionType=\"Spatial\">\n");
+    add(text, "<Time Value=\"{:.17g}\"/>\n", time);
+    grid("particles", {Site::particles}, frame, time);
+    grid("points", {Site::points}, frame, time);
     add(text, "</Grid>\n");
   }
 };
 
 }  // namespace
 
+bool draws_cells(const RunLayout& layout) {
+  return layout.points_are_cells && layout.dimension == 2;
+}
+
 std::string xdmf_document(const RunLayout& layout, std::span<const double> times,
                           const std::string& run_file) {
   Document document{layout, run_file, times.size()};
-  const bool points =
-      layout.points > 0 && std::ranges::any_of(layout.fields, [](const auto& field) {
-        return field.site == Site::points;
-      });
   add(document.text,
       "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Xdmf Version=\"3.0\">\n<Domain>\n");
   add(document.text, "<Grid Name=\"run\" GridType=\"Collection\" CollectionType=\"Temporal\">\n");
-  for (std::size_t frame = 0; frame < times.size(); ++frame) {
-    if (points) {
-      add(document.text,
-          "<Grid Name=\"frame\" GridType=\"Collection\" CollectionType=\"Spatial\">\n");
-      add(document.text, "<Time Value=\"{:.17g}\"/>\n", times[frame]);
-    }
-    document.grid(Site::particles, frame, times[frame]);
-    if (points) {
-      document.grid(Site::points, frame, times[frame]);
-      add(document.text, "</Grid>\n");
-    }
-  }
+  for (std::size_t frame = 0; frame < times.size(); ++frame)
+    document.whole_frame(frame, times[frame]);
   add(document.text, "</Grid>\n</Domain>\n</Xdmf>\n");
   return fmt::to_string(document.text);
 }

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "tlsph/materials/stress.hpp"
+#include "tlsph/dynamics/measures.hpp"
 #include "tlsph/scene/names.hpp"
 #include "tlsph/simulation/version.hpp"
 
@@ -147,22 +147,19 @@ std::span<const double> RunOutput<D>::field(const std::string& name, const Discr
     }
     return out;
   }
-  std::vector<std::size_t> region(static_cast<std::size_t>(disc.points.size()), 0);
-  for (std::size_t r = 0; r < disc.regions.size(); ++r)
-    for (const int s : disc.regions[r].points) region[static_cast<std::size_t>(s)] = r;
   for (Index s = 0; s < disc.points.size(); ++s) {
-    const AnyLaw<D>& law = disc.regions[region[static_cast<std::size_t>(s)]].law;
     const Tensor<D> H = tensor_at<D>(state.H, s);
-    const Tensor<D> sigma = cauchy<D>(law, H, tensor_at<D>(state.P, s));
+    const StressMeasures<D> stress = stress_measures<D>(disc.regions[region_of<D>(disc, s)], H,
+                                                        tensor_at<D>(state.P, s));
     const Tensor<D> F = Tensor<D>::Identity() + H;
     if (quantity == Quantity::pressure)
-      out.push_back(pressure<D>(sigma, transverse_stress<D>(law, H)));
+      out.push_back(stress.pressure);
     else if (quantity == Quantity::von_mises)
-      out.push_back(von_mises<D>(sigma, transverse_stress<D>(law, H)));
+      out.push_back(stress.von_mises);
     else
       for (int i = 0; i < D; ++i)
         for (int j = 0; j < D; ++j)
-          out.push_back(quantity == Quantity::cauchy ? sigma(i, j) : F(i, j));
+          out.push_back(quantity == Quantity::cauchy ? stress.cauchy(i, j) : F(i, j));
   }
   return out;
 }

@@ -5,6 +5,7 @@
 ///
 ///     /scene                    attributes text (TOML, as run), file, version, dimension
 ///     /particles/{X, V, tag}    /points/{X, V}
+///     /points/cells             M×2^d numbers of nodes, if the points are the cells between them
 ///     /frames/time              T [s]
 ///     /frames/<field>           T×N×d^rank, the components of a tensor in the order xx xy yx yy
 ///     /series/time              S [s]
@@ -17,6 +18,7 @@
 /// is `<name>.tmp`.
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -51,6 +53,7 @@ struct RunLayout {
   std::size_t particles = 0, points = 0;
   std::vector<FrameField> fields;
   std::vector<SeriesQuantity> series;
+  bool points_are_cells = false;  ///< each point stands for a cell of 2^d nodes
 
   /// Rows of a field: particles or points.
   [[nodiscard]] std::size_t rows(const FrameField& field) const;
@@ -62,6 +65,8 @@ struct RunLayout {
 struct RunStart {
   std::string scene_file, scene_text, version;
   CloudView particles, points;
+  std::span<const std::int32_t> cells =
+      {};  ///< points×2^d nodes, counter-clockwise; empty if points are no cells
 };
 
 class RunFile {

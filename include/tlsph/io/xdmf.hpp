@@ -1,7 +1,9 @@
 #pragma once
 /// \file
-/// run.xdmf: tells ParaView where in run.h5 the frames lie. One grid of vertices for the particles,
-/// one for the material points if a field lives there, for every frame; positions are those of the
+/// run.xdmf: tells ParaView where in run.h5 the frames lie. Where the material points are cells of
+/// nodes in a plane, every frame is a surface of quadrilaterals, with the fields of the particles
+/// at its nodes and those of the points on its cells. Elsewhere it is a grid of vertices for the
+/// particles and one for the material points if a field lives there. Positions are those of the
 /// reference configuration, "Warp By Vector" with `displacement` shows the deformed body.
 ///
 /// Vectors in 2D are vectors; tensors and all fields in 1D are scalars with the component in their
@@ -14,6 +16,9 @@
 #include "tlsph/io/run_file.hpp"
 
 namespace tlsph {
+
+/// Whether the frames of such a run are surfaces of quadrilaterals.
+[[nodiscard]] bool draws_cells(const RunLayout& layout);
 
 /// The document for frames at `times` [s] in the file `run_file`, a path relative to the document.
 std::string xdmf_document(const RunLayout& layout, std::span<const double> times,

@@ -39,6 +39,37 @@ TEST_P(RunFilesInDimensions, HoldEverythingWritten) {
 
 INSTANTIATE_TEST_SUITE_P(Dimensions, RunFilesInDimensions, testing::Values(1, 2));
 
+TEST_P(RunFilesInDimensions, HoldTheNodesOfCells) {
+  const std::size_t d = GetParam();
+  RunFile::create(path, layout_of_cells(d), start_of_cells(d)).close();
+
+  const Hdf5File file = Hdf5File::open_read_only(path);
+
+  const auto cells = file.read_integers("/points/cells");
+  EXPECT_THAT(cells.shape, ElementsAre(2, d == 1 ? 2 : 4));
+  if (d == 1)
+    EXPECT_THAT(cells.values, ElementsAre(0, 1, 1, 2));
+  else
+    EXPECT_THAT(cells.values, ElementsAre(0, 1, 2, 2, 1, 2, 0, 0));
+}
+
+TEST_F(RunFiles, KeepCellsWhenResumed) {
+  RunFile first = RunFile::create(path, layout_of_cells(), start_of_cells());
+  write_frame(first, 0);
+  first.close();
+
+  RunFile::resume(path, layout_of_cells(), start_of_cells(), 1, 0).close();
+
+  const Hdf5File file = Hdf5File::open_read_only(path);
+  EXPECT_THAT(file.read_integers("/points/cells").values, ElementsAre(0, 1, 2, 2, 1, 2, 0, 0));
+}
+
+TEST_F(RunFiles, HoldNoCellsWherePointsAreNone) {
+  create().close();
+
+  EXPECT_FALSE(Hdf5File::open_read_only(path).exists("/points/cells"));
+}
+
 TEST_F(RunFiles, SayWhatTheyHold) {
   create().close();
 

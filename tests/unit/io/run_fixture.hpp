@@ -39,6 +39,19 @@ class SmallRun : public TemporaryDirectory {
             {dimension, std::span(X).first(2 * dimension), point_V, {}, {}}};
   }
 
+  /// The same run, its two points being cells of nodes: 0-1 and 1-2, or 0-1-2-2 and 1-2-0-0.
+  static RunLayout layout_of_cells(std::size_t dimension = 2) {
+    RunLayout result = layout(dimension);
+    result.points_are_cells = true;
+    return result;
+  }
+  static RunStart start_of_cells(std::size_t dimension = 2) {
+    static const std::vector<std::int32_t> line{0, 1, 1, 2}, plane{0, 1, 2, 2, 1, 2, 0, 0};
+    RunStart result = start(dimension);
+    result.cells = dimension == 1 ? line : plane;
+    return result;
+  }
+
   /// The values of field `f` in frame `frame`.
   static std::vector<double> field(std::size_t f, std::size_t frame, std::size_t dimension = 2) {
     const RunLayout shape = layout(dimension);

@@ -19,11 +19,13 @@ class Xdmf : public test::SmallRun {
  protected:
   static constexpr std::size_t frames = 3;
 
-  std::string document_of_a_run(std::size_t dimension) {
-    RunFile run = create(dimension);
+  std::string document_of_a_run(std::size_t dimension, bool cells = false) {
+    const RunLayout shape = cells ? layout_of_cells(dimension) : layout(dimension);
+    RunFile run =
+        RunFile::create(path, shape, cells ? start_of_cells(dimension) : start(dimension));
     for (std::size_t frame = 0; frame < frames; ++frame) write_frame(run, frame, dimension);
     run.close();
-    return xdmf_document(layout(dimension), run.frame_times(), "run.h5");
+    return xdmf_document(shape, run.frame_times(), "run.h5");
   }
 };
 
@@ -77,10 +79,20 @@ TEST_F(Xdmf, IsWellFormed) {
   EXPECT_EQ(text.find("<?xml"), 0u);
 }
 
-class XdmfInDimensions : public Xdmf, public testing::WithParamInterface<std::size_t> {};
+/// Dimension, and whether the points are cells.
+struct Kind {
+  std::size_t dimension;
+  bool cells;
+};
 
-TEST_P(XdmfInDimensions, EveryWholeDataSetIsThereInItsShape) {
-  const std::string text = document_of_a_run(GetParam());
+void PrintTo(const Kind& kind, std::ostream* out) {
+  *out << kind.dimension << "D" << (kind.cells ? " cells" : " points");
+}
+
+class XdmfOfKinds : public Xdmf, public testing::WithParamInterface<Kind> {};
+
+TEST_P(XdmfOfKinds, EveryWholeDataSetIsThereInItsShape) {
+  const std::string text = document_of_a_run(GetParam().dimension, GetParam().cells);
   const Hdf5File file = Hdf5File::open_read_only(path);
 
   const auto items = matches(text, R"re(Dimensions="([0-9 ]+)">run\.h5:([^<|]+)<)re");
@@ -89,9 +101,9 @@ TEST_P(XdmfInDimensions, EveryWholeDataSetIsThereInItsShape) {
   for (const auto& item : items) EXPECT_EQ(file.shape(item[2]), numbers(item[1])) << item[2];
 }
 
-TEST_P(XdmfInDimensions, BothReadersAreToldTheSamePartOfTheRightFrame) {
-  const std::string text = document_of_a_run(GetParam());
-  const std::size_t d = GetParam();
+TEST_P(XdmfOfKinds, BothReadersAreToldTheSamePartOfTheRightFrame) {
+  const std::size_t d = GetParam().dimension;
+  const std::string text = document_of_a_run(d, GetParam().cells);
   const Hdf5File file = Hdf5File::open_read_only(path);
   const RunLayout shape = layout(d);
 
@@ -139,7 +151,25 @@ TEST_P(XdmfInDimensions, BothReadersAreToldTheSamePartOfTheRightFrame) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Dimensions, XdmfInDimensions, testing::Values(1, 2));
+INSTANTIATE_TEST_SUITE_P(Kinds, XdmfOfKinds,
+                         testing::Values(Kind{1, false}, Kind{1, true}, Kind{2, false},
+                                         Kind{2, true}));
+
+TEST_F(Xdmf, CellsInAPlaneAreOneSurfaceAFrame) {
+  const std::string text = document_of_a_run(2, true);
+
+  const auto surfaces = matches(
+      text, R"re("Quadrilateral" NumberOfElements="2"><DataItem[^>]*>run\.h5:/points/cells<)re");
+  const auto positions = matches(text, R"re(run\.h5:([a-z/]+)/positions<)re");
+
+  EXPECT_EQ(surfaces.size(), frames);
+  EXPECT_EQ(text.find("Polyvertex"), std::string::npos);
+  ASSERT_EQ(positions.size(), frames);
+  for (const auto& item : positions) EXPECT_EQ(item[1], "/xdmf/particles");
+  for (const auto& found :
+       matches(text, R"re(Name="([a-z]+)[^"]*" AttributeType="[A-Za-z]+" Center="([A-Za-z]+)")re"))
+    EXPECT_EQ(found[2], found[1] == "displacement" ? "Node" : "Cell") << found[1];
+}
 
 TEST_F(Xdmf, TimesKeepEveryBit) {
   const auto times = test::awkward_doubles(50);
