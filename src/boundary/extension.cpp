@@ -26,19 +26,19 @@ std::array<int, D> reflect(const LatticeFrame<D>& frame, const Edges<D>& edges,
 }  // namespace
 
 template <int D>
-Image displacement_image(const LatticeFrame<D>& frame, const Edges<D>& edges,
-                         std::array<int, D> at, int i) {
+Image displacement_image(const LatticeFrame<D>& frame, const Edges<D>& edges, std::array<int, D> at,
+                         int i) {
   Image image;
   const auto component = static_cast<std::size_t>(i);
-  const auto inside = reflect<D>(frame, edges, at,
-                                 [&](const Edge<D>& edge, int b, bool upper, double distance) {
-                                   if (edge.prescribed[component]) {
-                                     image.add(edge.displacement[component], 2.0);
-                                     image.sign = -image.sign;
-                                   } else if (i == b) {
-                                     image.add(edge.gradient, (upper ? 2.0 : -2.0) * distance);
-                                   }
-                                 });
+  const auto inside =
+      reflect<D>(frame, edges, at, [&](const Edge<D>& edge, int b, bool upper, double distance) {
+        if (edge.prescribed[component]) {
+          image.add(edge.displacement[component], 2.0);
+          image.sign = -image.sign;
+        } else if (i == b) {
+          image.add(edge.gradient, (upper ? 2.0 : -2.0) * distance);
+        }
+      });
   image.node = frame.index(inside);
   return image;
 }
@@ -63,11 +63,11 @@ Image stress_image(const LatticeFrame<D>& frame, const Edges<D>& edges, std::arr
   return image;
 }
 
-#define TLSPH_INSTANTIATE(D)                                                                 \
-  template Image displacement_image<D>(const LatticeFrame<D>&, const Edges<D>&,              \
-                                       std::array<int, D>, int);                             \
-  template Image stress_image<D>(const LatticeFrame<D>&, const Edges<D>&, std::array<int, D>, \
-                                 int, int, TractionGhost);
+#define TLSPH_INSTANTIATE(D)                                                                       \
+  template Image displacement_image<D>(const LatticeFrame<D>&, const Edges<D>&,                    \
+                                       std::array<int, D>, int);                                   \
+  template Image stress_image<D>(const LatticeFrame<D>&, const Edges<D>&, std::array<int, D>, int, \
+                                 int, TractionGhost);
 TLSPH_INSTANTIATE(1)
 TLSPH_INSTANTIATE(2)
 #undef TLSPH_INSTANTIATE

@@ -15,10 +15,10 @@ namespace {
 /// One modified SPH matrix: the values on boundary and ghosts that make W f take the target there.
 struct System {
   std::string name;
-  int slot = 0;                      ///< column of the field it closes
-  std::vector<int> nodes;            ///< boundary and ghost nodes
-  std::vector<std::size_t> target;   ///< signal at each
-  SparseMatrix coupling;             ///< W_(BG)I, zero on the nodes themselves; 0×0 as printed
+  int slot = 0;                     ///< column of the field it closes
+  std::vector<int> nodes;           ///< boundary and ghost nodes
+  std::vector<std::size_t> target;  ///< signal at each
+  SparseMatrix coupling;            ///< W_(BG)I, zero on the nodes themselves; 0×0 as printed
   SymmetricOrGeneral factor;
 };
 
@@ -148,8 +148,8 @@ struct GhostGradient<D>::Impl {
     SymmetricOrGeneral factor(block(W, nodes, position, true), solver, place);
     SparseMatrix coupling;
     if (closure == GhostClosure::consistent) coupling = block(W, nodes, position, false);
-    systems.push_back({name, slot, std::move(nodes), std::move(target), std::move(coupling),
-                       std::move(factor)});
+    systems.push_back(
+        {name, slot, std::move(nodes), std::move(target), std::move(coupling), std::move(factor)});
   }
 
   void close_displacements(const Edges<D>& edges, SolverChoice solver, const Place& place) {
@@ -277,10 +277,11 @@ GhostGradient<D>::GhostGradient(const LatticeStencil<D>& stencil, const Particle
         "\"variational\" or \"stress-point\" for other bodies");
   for (const int count : particles.frame->counts)
     if (count - 1 < 2 * stencil.reach)
-      throw InputError(fmt::format(
-          "kernel.support: the ghosts reach {} particles, but the body is only {} cells thick; choose "
-          "a smaller support or spacing",
-          2 * stencil.reach, count - 1));
+      throw InputError(
+          fmt::format("kernel.support: the ghosts reach {} particles, but the body is only {} "
+                      "cells thick; choose "
+                      "a smaller support or spacing",
+                      2 * stencil.reach, count - 1));
   if (closure == GhostClosure::eta && D != 1)
     throw InputError("boundary_treatment: \"eta\" exists in 1D only; use \"consistent\"");
   impl_ = std::make_unique<Impl>(stencil, particles, closure);

@@ -19,7 +19,8 @@ class FoldedRows {
 
   void add(const Image& image, int component, double weight, Index slot) {
     if (image.sign != 0.0)
-      row_[static_cast<int>(image.node)][static_cast<std::size_t>(component)] += weight * image.sign;
+      row_[static_cast<int>(image.node)][static_cast<std::size_t>(component)] +=
+          weight * image.sign;
     for (std::size_t k = 0; k < image.count; ++k)
       terms_[{slot, image.terms[k].signal}] += weight * image.terms[k].weight;
   }
@@ -71,8 +72,8 @@ std::vector<SignalTerm> edge_stresses(const LatticeFrame<D>& frame, const Edges<
 
 template <int D>
 FoldedOperators<D> folded_operators(const LatticeStencil<D>& stencil, const LatticeFrame<D>& frame,
-                                    const ScalarField& V,
-                                    const Edges<D>& edges, TractionGhost ghost) {
+                                    const ScalarField& V, const Edges<D>& edges,
+                                    TractionGhost ghost) {
   for (std::size_t a = 0; a < D; ++a)
     if (frame.counts[a] - 1 < stencil.reach)
       throw InputError(fmt::format(
@@ -110,10 +111,10 @@ FoldedOperators<D> folded_operators(const LatticeStencil<D>& stencil, const Latt
   return result;
 }
 
-#define TLSPH_INSTANTIATE(D)                                                            \
-  template FoldedOperators<D> folded_operators<D>(                                      \
-      const LatticeStencil<D>&, const LatticeFrame<D>&, const ScalarField&, const Edges<D>&, \
-      TractionGhost);
+#define TLSPH_INSTANTIATE(D)                                                                  \
+  template FoldedOperators<D> folded_operators<D>(const LatticeStencil<D>&,                   \
+                                                  const LatticeFrame<D>&, const ScalarField&, \
+                                                  const Edges<D>&, TractionGhost);
 TLSPH_INSTANTIATE(1)
 TLSPH_INSTANTIATE(2)
 #undef TLSPH_INSTANTIATE

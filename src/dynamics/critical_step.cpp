@@ -125,7 +125,8 @@ CriticalStep critical_step(const Discretisation<D>& disc, const State<D>& state)
   if (disc.adjoint) {
     const double omega_squared = largest(linearised, 1.0, 0.0);
     if (!(omega_squared > 0.0))
-      throw NumericalError("the body has no stiffness: no critical time step exists", state.time, -1);
+      throw NumericalError("the body has no stiffness: no critical time step exists", state.time,
+                           -1);
     result.dt = 2.0 / std::sqrt(omega_squared);
     if (disc.viscosity.nonZeros() > 0) result.dt = damped_step(linearised, result.dt);
   } else {

@@ -7,9 +7,8 @@ namespace tlsph {
 
 template <int D>
 bool Discretisation<D>::linear() const {
-  return std::all_of(regions.begin(), regions.end(), [](const Region<D>& region) {
-    return small_strain<D>(region.law);
-  });
+  return std::all_of(regions.begin(), regions.end(),
+                     [](const Region<D>& region) { return small_strain<D>(region.law); });
 }
 
 template <int D>

@@ -43,8 +43,7 @@ void book(Ledger<D>& ledger, const Discretisation<D>& disc, const State<D>& stat
     const double next = value(disc.constraints.curves[motion.curve], state.time + next_dt);
     const double change =
         (next - state.u.data()[motion.dof]) / next_dt - state.v.data()[motion.dof];
-    const double reaction =
-        disc.mass[motion.dof / D] * change / kick - state.f.data()[motion.dof];
+    const double reaction = disc.mass[motion.dof / D] * change / kick - state.f.data()[motion.dof];
     ledger.external_work += 0.5 * dt * reaction * velocity(motion.dof);
     push(motion.dof, reaction);
   }
@@ -95,9 +94,10 @@ double elastic_energy(const Discretisation<D>& disc, const State<D>& state) {
             for (const int s : region.points) at(s);
         },
         region.law);
-  if (disc.stiffness.nonZeros() > 0)
-    for (int i = 0; i < D; ++i)
-      energy += 0.5 * state.u.col(i).dot(disc.stiffness * state.u.col(i));
+  // ½ uᵀ S u with S·1 = 0, in differences, so that a body that has travelled far keeps its digits.
+  for (Index p = 0; p < disc.stiffness.outerSize(); ++p)
+    for (SparseMatrix::InnerIterator it(disc.stiffness, p); it; ++it)
+      energy -= 0.25 * it.value() * (state.u.row(p) - state.u.row(it.col())).squaredNorm();
   return energy;
 }
 
@@ -128,9 +128,9 @@ Balance<D> balance(const Discretisation<D>& disc, const State<D>& state, double 
   return result;
 }
 
-#define TLSPH_INSTANTIATE(D)                                                               \
-  template struct Ledger<D>;                                                               \
-  template double elastic_energy<D>(const Discretisation<D>&, const State<D>&);            \
+#define TLSPH_INSTANTIATE(D)                                                    \
+  template struct Ledger<D>;                                                    \
+  template double elastic_energy<D>(const Discretisation<D>&, const State<D>&); \
   template Balance<D> balance<D>(const Discretisation<D>&, const State<D>&, double);
 TLSPH_INSTANTIATE(1)
 TLSPH_INSTANTIATE(2)

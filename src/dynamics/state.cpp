@@ -9,14 +9,12 @@
 #include <utility>
 
 #include "tlsph/core/error.hpp"
+#include "tlsph/core/parallel.hpp"
 #include "tlsph/materials/uniaxial.hpp"
 #include "tlsph/operators/products.hpp"
 
 namespace tlsph {
 namespace {
-
-/// Below this many rows a second thread costs more than it brings.
-constexpr Index parallel_rows = 2000;
 
 template <int D>
 void evaluate_signals(const Discretisation<D>& disc, double time, std::vector<double>& values) {
@@ -39,26 +37,14 @@ template <int D>
 double apply_law(const Region<D>& region, const TensorField<D>& H, TensorField<D>& P) {
   return std::visit(
       [&](const auto& law) {
-        double sum = 0.0;
-        if (region.points.empty()) {
-          const Index M = H.rows();
-#pragma omp parallel for schedule(static) reduction(+ : sum) if (M >= parallel_rows)
-          for (Index s = 0; s < M; ++s) {
-            const Tensor<D> stress = law.pk1(tensor_at<D>(H, s));
-            Eigen::Map<Tensor<D>>(P.data() + s * D * D) = stress;
-            sum += stress(0, 0);
-          }
-        } else {
-          const auto M = static_cast<Index>(region.points.size());
-#pragma omp parallel for schedule(static) reduction(+ : sum) if (M >= parallel_rows)
-          for (Index k = 0; k < M; ++k) {
-            const Index s = region.points[static_cast<std::size_t>(k)];
-            const Tensor<D> stress = law.pk1(tensor_at<D>(H, s));
-            Eigen::Map<Tensor<D>>(P.data() + s * D * D) = stress;
-            sum += stress(0, 0);
-          }
-        }
-        return sum;
+        const auto at = [&](Index s) {
+          const Tensor<D> stress = law.pk1(tensor_at<D>(H, s));
+          Eigen::Map<Tensor<D>>(P.data() + s * D * D) = stress;
+          return stress(0, 0);
+        };
+        if (region.points.empty()) return sum_rows(H.rows(), at);
+        return sum_rows(static_cast<Index>(region.points.size()),
+                        [&](Index k) { return at(region.points[static_cast<std::size_t>(k)]); });
       },
       region.law);
 }
@@ -79,10 +65,11 @@ template <int D>
   for (int a = 0; a < D; ++a)
     where += fmt::format("{}{:.6g}", a == 0 ? "" : ", ", disc.points.X(worst, a));
   throw NumericalError(
-      fmt::format("deformation lost at t = {:.6e} s, step {}: material point {} at ({}) m has det F "
-                  "= {:.3g} or a stress that is not finite; a smaller time.safety, a finer spacing, "
-                  "a stabiliser or a gentler load may help",
-                  state.time, state.step, worst, where, smallest),
+      fmt::format(
+          "deformation lost at t = {:.6e} s, step {}: material point {} at ({}) m has det F "
+          "= {:.3g} or a stress that is not finite; a smaller time.safety, a finer spacing, "
+          "a stabiliser or a gentler load may help",
+          state.time, state.step, worst, where, smallest),
       state.time, static_cast<long>(worst));
 }
 
@@ -168,16 +155,16 @@ void start(const Discretisation<D>& disc, State<D>& state, double dt) {
 template <int D>
 void advance(const Discretisation<D>& disc, State<D>& state, double dt, double next_time) {
   const double kick = 0.5 * (state.last_dt + dt);
-  const Index dofs = state.u.size();
   double* u = state.u.data();
   double* v = state.v.data();
   const double* f = state.f.data();
   const double* inverse_mass = disc.inverse_mass.data();
-#pragma omp parallel for schedule(static) if (dofs >= D * parallel_rows)
-  for (Index k = 0; k < dofs; ++k) {
-    v[k] += kick * inverse_mass[k] * f[k];
-    u[k] += dt * v[k];
-  }
+  for_rows(disc.nodes(), [=](Index q) {
+    for (Index k = q * D; k < (q + 1) * D; ++k) {
+      v[k] += kick * inverse_mass[k] * f[k];
+      u[k] += dt * v[k];
+    }
+  });
   ++state.step;
   state.time = next_time;
   state.last_dt = dt;
@@ -189,11 +176,11 @@ void advance(const Discretisation<D>& disc, State<D>& state, double dt, double n
   }
 }
 
-#define TLSPH_INSTANTIATE(D)                                                                     \
-  template State<D> make_state<D>(const Discretisation<D>&, VectorField<D>, VectorField<D>);     \
-  template void evaluate<D>(const Discretisation<D>&, State<D>&);                                \
-  template double next_velocity<D>(const Discretisation<D>&, const State<D>&, double, Index);    \
-  template void start<D>(const Discretisation<D>&, State<D>&, double);                           \
+#define TLSPH_INSTANTIATE(D)                                                                  \
+  template State<D> make_state<D>(const Discretisation<D>&, VectorField<D>, VectorField<D>);  \
+  template void evaluate<D>(const Discretisation<D>&, State<D>&);                             \
+  template double next_velocity<D>(const Discretisation<D>&, const State<D>&, double, Index); \
+  template void start<D>(const Discretisation<D>&, State<D>&, double);                        \
   template void advance<D>(const Discretisation<D>&, State<D>&, double, double);
 TLSPH_INSTANTIATE(1)
 TLSPH_INSTANTIATE(2)

@@ -9,21 +9,12 @@
 #include <utility>
 
 #include "tlsph/core/error.hpp"
-#include "tlsph/materials/stress.hpp"
+#include "tlsph/dynamics/measures.hpp"
 
 namespace tlsph {
 namespace {
 
 constexpr std::array<std::string_view, 3> axes = {"x", "y", "z"};
-
-template <int D>
-std::size_t region_of(const Discretisation<D>& disc, Index point) {
-  for (std::size_t r = 0; r < disc.regions.size(); ++r) {
-    const auto& points = disc.regions[r].points;
-    if (points.empty() || std::binary_search(points.begin(), points.end(), point)) return r;
-  }
-  return 0;
-}
 
 }  // namespace
 
@@ -42,14 +33,14 @@ Probes<D>::Probes(const Discretisation<D>& disc, const std::vector<ProbeRequest<
     Probe probe;
     probe.nodes = linear_interpolation<D>(disc.particles.X, request.at, disc.spacing);
     probe.points = linear_interpolation<D>(disc.points.X, request.at, disc.spacing);
-    const auto heaviest =
-        std::max_element(probe.points.weight.begin(), probe.points.weight.end());
+    const auto heaviest = std::max_element(probe.points.weight.begin(), probe.points.weight.end());
     probe.region = region_of<D>(
         disc, probe.points.node[static_cast<std::size_t>(heaviest - probe.points.weight.begin())]);
     for (const std::string& stem : request.quantities) {
       const auto* entry = std::find_if(names.begin(), names.end(),
                                        [&](const auto& pair) { return pair.first == stem; });
-      if (entry == names.end()) throw InputError(fmt::format("probe \"{}\": no quantity {}", request.name, stem));
+      if (entry == names.end())
+        throw InputError(fmt::format("probe \"{}\": no quantity {}", request.name, stem));
       probe.kinds.push_back(entry->second);
       const auto add = [&](std::string_view suffix) {
         columns_.push_back(fmt::format("{}.{}{}", request.name, stem, suffix));
@@ -63,13 +54,11 @@ Probes<D>::Probes(const Discretisation<D>& disc, const std::vector<ProbeRequest<
         case Kind::deformation_gradient:
         case Kind::pk1:
           for (std::size_t i = 0; i < D; ++i)
-            for (std::size_t a = 0; a < D; ++a)
-              add(fmt::format("_{}{}", axes[i], axes[a]));
+            for (std::size_t a = 0; a < D; ++a) add(fmt::format("_{}{}", axes[i], axes[a]));
           break;
         case Kind::cauchy:
           for (std::size_t i = 0; i < D; ++i)
-            for (std::size_t j = i; j < D; ++j)
-              add(fmt::format("_{}{}", axes[i], axes[j]));
+            for (std::size_t j = i; j < D; ++j) add(fmt::format("_{}{}", axes[i], axes[j]));
           break;
         case Kind::pressure:
         case Kind::von_mises:
@@ -105,7 +94,7 @@ void Probes<D>::sample(const Discretisation<D>& disc, const State<D>& state, dou
       H += probe.points.weight[k] * tensor_at<D>(state.H, probe.points.node[k]);
       P += probe.points.weight[k] * tensor_at<D>(state.P, probe.points.node[k]);
     }
-    const AnyLaw<D>& law = disc.regions[probe.region].law;
+    const StressMeasures<D> stress = stress_measures<D>(disc.regions[probe.region], H, P);
     const auto put = [&](double number) { row[out++] = number; };
     const auto put_vector = [&](const Vector<D>& vector) {
       for (int i = 0; i < D; ++i) put(vector[i]);
@@ -131,17 +120,15 @@ void Probes<D>::sample(const Discretisation<D>& disc, const State<D>& state, dou
         case Kind::pk1:
           put_tensor(P);
           break;
-        case Kind::cauchy: {
-          const Tensor<D> sigma = cauchy<D>(law, H, P);
+        case Kind::cauchy:
           for (int i = 0; i < D; ++i)
-            for (int j = i; j < D; ++j) put(sigma(i, j));
+            for (int j = i; j < D; ++j) put(stress.cauchy(i, j));
           break;
-        }
         case Kind::pressure:
-          put(tlsph::pressure<D>(cauchy<D>(law, H, P), transverse_stress<D>(law, H)));
+          put(stress.pressure);
           break;
         case Kind::von_mises:
-          put(tlsph::von_mises<D>(cauchy<D>(law, H, P), transverse_stress<D>(law, H)));
+          put(stress.von_mises);
           break;
       }
     }

@@ -18,10 +18,11 @@ template <int D>
 [[noreturn]] void too_few_neighbours(const Vector<D>& at, Index count, double h) {
   std::string where;
   for (int a = 0; a < D; ++a) where += fmt::format("{}{:.6g}", a == 0 ? "" : ", ", at[a]);
-  throw InputError(fmt::format(
-      "kernel.support: the {} neighbours of the particle at ({}) within {:.6g} m do not determine a "
-      "gradient; choose a larger support or a thicker body",
-      count, where, h));
+  throw InputError(
+      fmt::format("kernel.support: the {} neighbours of the particle at ({}) within {:.6g} m do "
+                  "not determine a "
+                  "gradient; choose a larger support or a thicker body",
+                  count, where, h));
 }
 
 /// ∇_p W(X_p − X_q); zero for the particle itself.
@@ -39,8 +40,8 @@ Vector<D> position(const VectorField<D>& X, Index row) {
 
 /// Calls `entry(k, q, X_p − X_q)` for the entries of row p.
 template <int D, class Entry>
-void for_row(const Neighbours& near, const VectorField<D>& points, const VectorField<D>& X,
-             Index p, const Entry& entry) {
+void for_row(const Neighbours& near, const VectorField<D>& points, const VectorField<D>& X, Index p,
+             const Entry& entry) {
   for (Index k = near.start[static_cast<std::size_t>(p)];
        k < near.start[static_cast<std::size_t>(p) + 1]; ++k) {
     const Index q = near.column[static_cast<std::size_t>(k)];
@@ -136,8 +137,8 @@ VectorOperator<D> collocated_gradient(const AnyKernel& kernel, double h, const V
               moment -= V[q] * gradient(difference) * difference.transpose();
             });
             const auto row = static_cast<std::size_t>(p);
-            L = inverse_moment<D>(moment, 1.0, position<D>(X, p), near.start[row + 1] - near.start[row],
-                                  h);
+            L = inverse_moment<D>(moment, 1.0, position<D>(X, p),
+                                  near.start[row + 1] - near.start[row], h);
           }
           Vector<D> others = Vector<D>::Zero();
           Index self = -1;
@@ -187,8 +188,7 @@ VectorOperator<D> cell_gradient(const Particles<D>& particles, const MaterialPoi
     }
     pattern.start.push_back(static_cast<Index>(pattern.column.size()));
   }
-  return VectorOperator<D>(points.size(), particles.size(), std::move(pattern),
-                           std::move(weights));
+  return VectorOperator<D>(points.size(), particles.size(), std::move(pattern), std::move(weights));
 }
 
 template <int D>
@@ -199,7 +199,8 @@ VectorOperator<D> point_gradient(const AnyKernel& kernel, double h, const Vector
   std::visit(
       [&](const auto& family) {
         for (Index s = 0; s < points.rows(); ++s) {
-          // Centred on the weighted mean, the fit of c + g·(X − X̄) decouples: g = M⁻¹ Σ w (X − X̄) f.
+          // Centred on the weighted mean, the fit of c + g·(X − X̄) decouples: g = M⁻¹ Σ w (X − X̄)
+          // f.
           double sum = 0.0;
           Vector<D> mean = Vector<D>::Zero();
           for_row<D>(near, points, X, s, [&](Index, Index, const Vector<D>& difference) {
@@ -215,8 +216,8 @@ VectorOperator<D> point_gradient(const AnyKernel& kernel, double h, const Vector
             moment += w * arm * arm.transpose();
           });
           const auto row = static_cast<std::size_t>(s);
-          const Tensor<D> inverse = inverse_moment<D>(
-              moment, h * h, position<D>(points, s), near.start[row + 1] - near.start[row], h);
+          const Tensor<D> inverse = inverse_moment<D>(moment, h * h, position<D>(points, s),
+                                                      near.start[row + 1] - near.start[row], h);
           for_row<D>(near, points, X, s, [&](Index k, Index, const Vector<D>& difference) {
             const double w = kernel_value<D>(family, difference.norm(), h) / sum;
             const Vector<D> weight = w * inverse * (-difference - mean);
@@ -228,15 +229,15 @@ VectorOperator<D> point_gradient(const AnyKernel& kernel, double h, const Vector
   return VectorOperator<D>(points.rows(), X.rows(), std::move(near), std::move(weights));
 }
 
-#define TLSPH_INSTANTIATE(D)                                                                     \
-  template SparseMatrix kernel_matrix<D>(const AnyKernel&, double, const VectorField<D>&,        \
-                                         const ScalarField&);                                    \
-  template VectorOperator<D> plain_gradient<D>(const AnyKernel&, double, const VectorField<D>&,  \
-                                               const ScalarField&);                              \
-  template VectorOperator<D> collocated_gradient<D>(                                             \
-      const AnyKernel&, double, const VectorField<D>&, const ScalarField&, Correction);          \
-  template VectorOperator<D> cell_gradient<D>(const Particles<D>&, const MaterialPoints<D>&);    \
-  template VectorOperator<D> point_gradient<D>(const AnyKernel&, double, const VectorField<D>&,  \
+#define TLSPH_INSTANTIATE(D)                                                                    \
+  template SparseMatrix kernel_matrix<D>(const AnyKernel&, double, const VectorField<D>&,       \
+                                         const ScalarField&);                                   \
+  template VectorOperator<D> plain_gradient<D>(const AnyKernel&, double, const VectorField<D>&, \
+                                               const ScalarField&);                             \
+  template VectorOperator<D> collocated_gradient<D>(                                            \
+      const AnyKernel&, double, const VectorField<D>&, const ScalarField&, Correction);         \
+  template VectorOperator<D> cell_gradient<D>(const Particles<D>&, const MaterialPoints<D>&);   \
+  template VectorOperator<D> point_gradient<D>(const AnyKernel&, double, const VectorField<D>&, \
                                                const VectorField<D>&);
 TLSPH_INSTANTIATE(1)
 TLSPH_INSTANTIATE(2)

@@ -52,8 +52,8 @@ LatticeStencil<D> lattice_stencil(const AnyKernel& kernel, double support,
       },
       kernel);
   if (stencil.reach == 0)
-    throw InputError(fmt::format(
-        "kernel.support: {} spacings reach no neighbour; choose more than 1", support));
+    throw InputError(
+        fmt::format("kernel.support: {} spacings reach no neighbour; choose more than 1", support));
   for (double& w : stencil.value) w /= sum;
   for (Vector<D>& g : stencil.gradient) g = g.cwiseQuotient(moment);
   return stencil;

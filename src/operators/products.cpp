@@ -2,11 +2,10 @@
 
 #include <cassert>
 
+#include "tlsph/core/parallel.hpp"
+
 namespace tlsph {
 namespace {
-
-/// Below this many rows a second thread costs more than it brings.
-constexpr Index parallel_rows = 2000;
 
 /// y = alpha y + beta A x for alpha, beta known at compile time.
 template <int D, int Alpha, int Beta>
@@ -17,8 +16,7 @@ void combine(const SparseMatrix& A, const VectorField<D>& x, VectorField<D>& y) 
   const double* value = A.valuePtr();
   const double* in = x.data();
   double* out = y.data();
-#pragma omp parallel for schedule(static) if (A.rows() >= parallel_rows)
-  for (Index p = 0; p < A.rows(); ++p) {
+  for_rows(A.rows(), [=](Index p) {
     double sum[D] = {};
     for (int k = start[p]; k < start[p + 1]; ++k)
       for (int i = 0; i < D; ++i) sum[i] += value[k] * in[static_cast<Index>(column[k]) * D + i];
@@ -26,7 +24,7 @@ void combine(const SparseMatrix& A, const VectorField<D>& x, VectorField<D>& y) 
       double& slot = out[p * D + i];
       slot = (Alpha == 0 ? 0.0 : slot) + Beta * sum[i];
     }
-  }
+  });
 }
 
 }  // namespace

@@ -9,8 +9,7 @@ namespace tlsph {
 
 template <int D>
 SparseMatrix pair_stabiliser(const VectorOperator<D>& gradient, const VectorField<D>& X,
-                             const ScalarField& V, double spacing,
-                             const ScalarField& modulus) {
+                             const ScalarField& V, double spacing, const ScalarField& modulus) {
   const Index N = X.rows();
   const Neighbours near = find_neighbours<D>(X, X, pair_cutoff * spacing);
   std::array<SparseMatrix, D> G;
@@ -58,8 +57,8 @@ SparseMatrix hourglass_rows(const Particles<2>& particles, const VectorOperator<
       const int q = gradient.pattern().column[static_cast<std::size_t>(k)];
       const auto corner = static_cast<std::size_t>(
           std::distance(cell.begin(), std::find(cell.begin(), cell.end(), q)));
-      const double gamma =
-          0.25 * (h[corner] - gradient.weight(k, 0) * moment[0] - gradient.weight(k, 1) * moment[1]);
+      const double gamma = 0.25 * (h[corner] - gradient.weight(k, 0) * moment[0] -
+                                   gradient.weight(k, 1) * moment[1]);
       entries.emplace_back(static_cast<int>(s), q, gamma);
     }
   }

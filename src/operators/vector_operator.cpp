@@ -3,14 +3,9 @@
 #include <cassert>
 #include <utility>
 
+#include "tlsph/core/parallel.hpp"
+
 namespace tlsph {
-namespace {
-
-/// Below this many rows a second thread costs more than it brings.
-constexpr Index parallel_rows = 2000;
-
-}  // namespace
-
 template <int D>
 VectorOperator<D>::VectorOperator(Index rows, Index cols, Neighbours pattern,
                                   std::vector<double> weights)
@@ -57,8 +52,7 @@ void VectorOperator<D>::gradient(const VectorField<D>& u, TensorField<D>& H) con
   const double* in = u.data();
   double* out = H.data();
   if (!per_component()) {
-#pragma omp parallel for schedule(static) if (rows_ >= parallel_rows)
-    for (Index s = 0; s < rows_; ++s) {
+    for_rows(rows_, [=](Index s) {
       double sum[D * D] = {};
       for (Index k = start[s]; k < start[s + 1]; ++k) {
         const double* w = weights + k * D;
@@ -67,10 +61,9 @@ void VectorOperator<D>::gradient(const VectorField<D>& u, TensorField<D>& H) con
           for (int a = 0; a < D; ++a) sum[i * D + a] += w[a] * value[i];
       }
       for (int c = 0; c < D * D; ++c) out[s * D * D + c] = sum[c];
-    }
+    });
   } else {
-#pragma omp parallel for schedule(static) if (rows_ >= parallel_rows)
-    for (Index s = 0; s < rows_; ++s) {
+    for_rows(rows_, [=](Index s) {
       double sum[D * D] = {};
       for (Index k = start[s]; k < start[s + 1]; ++k) {
         const double* w = weights + k * D * D;
@@ -79,7 +72,7 @@ void VectorOperator<D>::gradient(const VectorField<D>& u, TensorField<D>& H) con
           for (int a = 0; a < D; ++a) sum[i * D + a] += w[i * D + a] * value[i];
       }
       for (int c = 0; c < D * D; ++c) out[s * D * D + c] = sum[c];
-    }
+    });
   }
 }
 
@@ -92,8 +85,7 @@ void VectorOperator<D>::divergence(const TensorField<D>& P, VectorField<D>& f) c
   const double* in = P.data();
   double* out = f.data();
   if (!per_component()) {
-#pragma omp parallel for schedule(static) if (rows_ >= parallel_rows)
-    for (Index q = 0; q < rows_; ++q) {
+    for_rows(rows_, [=](Index q) {
       double sum[D] = {};
       for (Index k = start[q]; k < start[q + 1]; ++k) {
         const double* w = weights + k * D;
@@ -102,10 +94,9 @@ void VectorOperator<D>::divergence(const TensorField<D>& P, VectorField<D>& f) c
           for (int a = 0; a < D; ++a) sum[i] += w[a] * stress[i * D + a];
       }
       for (int i = 0; i < D; ++i) out[q * D + i] = sum[i];
-    }
+    });
   } else {
-#pragma omp parallel for schedule(static) if (rows_ >= parallel_rows)
-    for (Index q = 0; q < rows_; ++q) {
+    for_rows(rows_, [=](Index q) {
       double sum[D] = {};
       for (Index k = start[q]; k < start[q + 1]; ++k) {
         const double* w = weights + k * D * D;
@@ -114,7 +105,7 @@ void VectorOperator<D>::divergence(const TensorField<D>& P, VectorField<D>& f) c
           for (int a = 0; a < D; ++a) sum[i] += w[i * D + a] * stress[i * D + a];
       }
       for (int i = 0; i < D; ++i) out[q * D + i] = sum[i];
-    }
+    });
   }
 }
 

@@ -88,7 +88,8 @@ std::vector<Key> all_keys() {
        ">= 1", "full radius of the kernel"},
       {"kernel", "correction", text, "", "", "(least-squares; thesis and mirror: none)",
        choices<GradientCorrection>(),
-       "gradients of collocated nodes: a fitted plane, the gradient or mixed correction of Bonet and "
+       "gradients of collocated nodes: a fitted plane, the gradient or mixed correction of Bonet "
+       "and "
        "Lok, or plain differences"},
 
       {"stabiliser", "kind", text, "", "",

@@ -58,11 +58,10 @@ void add_adjoint_operators(const Scene& scene, Discretisation<D>& disc) {
   const Particles<D>& particles = disc.particles;
   const double h = scene.kernel.support.value_or(0.0) * particles.spacing;
   if (scene.formulation == Formulation::variational)
-    disc.gradient = collocated_gradient<D>(kernel_of(scene), h, particles.X, particles.V,
-                                           correction_of(scene));
-  else if (scene.kernel.support)
     disc.gradient =
-        point_gradient<D>(kernel_of(scene), h, disc.points.X, particles.X);
+        collocated_gradient<D>(kernel_of(scene), h, particles.X, particles.V, correction_of(scene));
+  else if (scene.kernel.support)
+    disc.gradient = point_gradient<D>(kernel_of(scene), h, disc.points.X, particles.X);
   else
     disc.gradient = cell_gradient<D>(particles, disc.points);
   disc.divergence = disc.gradient.negative_adjoint(disc.points.V);
@@ -72,9 +71,8 @@ void add_adjoint_operators(const Scene& scene, Discretisation<D>& disc) {
 template <int D>
 void add_ghost_operators(const Scene& scene, Discretisation<D>& disc) {
   const Edges<D> edges = parts::build_edges<D>(scene, disc);
-  const LatticeStencil<D> stencil =
-      lattice_stencil<D>(kernel_of(scene), scene.kernel.support.value_or(2.5),
-                         *disc.particles.frame);
+  const LatticeStencil<D> stencil = lattice_stencil<D>(
+      kernel_of(scene), scene.kernel.support.value_or(2.5), *disc.particles.frame);
   const bool thesis = scene.formulation == Formulation::thesis;
   const bool eta = scene.ghosts == GhostTreatment::eta;
   auto folded =
@@ -84,9 +82,9 @@ void add_ghost_operators(const Scene& scene, Discretisation<D>& disc) {
   disc.force_terms = std::move(folded.force_terms);
   disc.stress_values = std::move(folded.stress_values);
   if (thesis) {
-    disc.ghosts = std::make_shared<const GhostGradient<D>>(
-        stencil, disc.particles, edges, closure_of(scene), solver_of(scene),
-        scene.boundary_solver_place);
+    disc.ghosts =
+        std::make_shared<const GhostGradient<D>>(stencil, disc.particles, edges, closure_of(scene),
+                                                 solver_of(scene), scene.boundary_solver_place);
   } else {
     disc.gradient = std::move(folded.gradient);
     disc.gradient_terms = std::move(folded.gradient_terms);

@@ -12,8 +12,7 @@ namespace {
 template <int D>
 std::string patch_names(const Particles<D>& particles) {
   std::string text;
-  for (const Patch<D>& patch : particles.patches)
-    text += (text.empty() ? "" : ", ") + patch.name;
+  for (const Patch<D>& patch : particles.patches) text += (text.empty() ? "" : ", ") + patch.name;
   return text;
 }
 
@@ -66,10 +65,11 @@ class ConstraintList {
     std::string at;
     for (int a = 0; a < D; ++a)
       at += fmt::format("{}{:.6g}", a == 0 ? "" : ", ", particles_.X(node, a));
-    throw InputError(by.place,
-                     fmt::format("contradicts the boundary \"{}\": the particle at ({}) would have two "
-                                 "displacements in {}; let one of them leave the component free",
-                                 entry->second.by->where, at, "xyz"[component]));
+    throw InputError(
+        by.place,
+        fmt::format("contradicts the boundary \"{}\": the particle at ({}) would have two "
+                    "displacements in {}; let one of them leave the component free",
+                    entry->second.by->where, at, "xyz"[component]));
   }
 
   const Particles<D>& particles_;
@@ -117,8 +117,9 @@ void add_conditions(const Scene& scene, Discretisation<D>& disc) {
       constraints.move(patch, motion.component, motion.curve, boundary);
     const bool loaded = boundary.normal_traction || !boundary.traction.empty();
     if (loaded && patch.faces.empty())
-      throw InputError(boundary.place,
-                       fmt::format("\"{}\" has no boundary faces to load, only particles", patch.name));
+      throw InputError(
+          boundary.place,
+          fmt::format("\"{}\" has no boundary faces to load, only particles", patch.name));
     if (boundary.normal_traction)
       disc.loads.push_back(normal_traction<D>(patch, *boundary.normal_traction));
     for (const ComponentCurve& traction : boundary.traction)

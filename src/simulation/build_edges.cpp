@@ -28,8 +28,8 @@ Curve negated(Curve curve) {
   return curve;
 }
 
-/// The strain of the load must exist at all times; a coarse walk along the curve finds out before the
-/// run does.
+/// The strain of the load must exist at all times; a coarse walk along the curve finds out before
+/// the run does.
 template <int D>
 void refuse_unreachable(const Scene& scene, const Discretisation<D>& disc, const Curve& load,
                         const BoundaryScene& boundary) {
@@ -37,8 +37,7 @@ void refuse_unreachable(const Scene& scene, const Discretisation<D>& disc, const
   for (int k = 0; k <= samples; ++k) {
     const double pressure = value(load, scene.time.end * k / samples);
     try {
-      for (const Region<D>& region : disc.regions)
-        (void)uniaxial_gradient<D>(region.law, pressure);
+      for (const Region<D>& region : disc.regions) (void)uniaxial_gradient<D>(region.law, pressure);
     } catch (const InputError& error) {
       throw InputError(boundary.place, fmt::format("traction: {}", error.what()));
     }
@@ -52,8 +51,7 @@ Edge<D> read_edge(const Scene& scene, std::string_view name, int b, Discretisati
   const auto signal = [&](const Curve& curve, Signal::Kind kind) {
     const Index node = disc.particles.find(std::string(name))->nodes.front();
     const Vector<D> at = disc.particles.X.row(node).transpose();
-    disc.signals.push_back(
-        {curve, kind, material_at<D>(scene, at, 1e-9 * disc.particles.spacing)});
+    disc.signals.push_back({curve, kind, material_at<D>(scene, at, 1e-9 * disc.particles.spacing)});
     return disc.signals.size() - 1;
   };
   const auto prescribe = [&](int component) {
@@ -93,7 +91,8 @@ Edge<D> read_edge(const Scene& scene, std::string_view name, int b, Discretisati
   return edge;
 }
 
-/// ε̄ = P⁻¹(t̄) knows no strain along the edge: the sides beside a loaded or free edge must forbid it.
+/// ε̄ = P⁻¹(t̄) knows no strain along the edge: the sides beside a loaded or free edge must forbid
+/// it.
 void refuse_tangential_strain(const Scene& scene, const Edges<2>& edges) {
   for (std::size_t b = 0; b < 2; ++b)
     for (std::size_t side = 0; side < 2; ++side) {
@@ -103,10 +102,11 @@ void refuse_tangential_strain(const Scene& scene, const Edges<2>& edges) {
       if (edges[along][0].prescribed[along] && edges[along][1].prescribed[along]) continue;
       throw InputError(
           scene.formulation_place,
-          fmt::format("\"{}\" cannot extend the displacement beyond the free edge \"{}\", which strains "
-                      "along itself; give the neighbouring edges symmetry = true, or use \"stress-point\" "
-                      "or \"variational\"",
-                      name_of(scene.formulation), edge_names[b][side]));
+          fmt::format(
+              "\"{}\" cannot extend the displacement beyond the free edge \"{}\", which strains "
+              "along itself; give the neighbouring edges symmetry = true, or use \"stress-point\" "
+              "or \"variational\"",
+              name_of(scene.formulation), edge_names[b][side]));
     }
 }
 
@@ -115,21 +115,22 @@ void refuse_tangential_strain(const Scene& scene, const Edges<2>& edges) {
 template <int D>
 Edges<D> build_edges(const Scene& scene, Discretisation<D>& disc) {
   if (!disc.particles.frame)
-    throw InputError(scene.formulation_place,
-                     fmt::format("\"{}\" needs an undisturbed interval or box of particles on the "
-                                 "boundary; use \"variational\" or \"stress-point\" for other bodies",
-                                 name_of(scene.formulation)));
+    throw InputError(
+        scene.formulation_place,
+        fmt::format("\"{}\" needs an undisturbed interval or box of particles on the "
+                    "boundary; use \"variational\" or \"stress-point\" for other bodies",
+                    name_of(scene.formulation)));
   for (const BoundaryScene& boundary : scene.boundaries) {
     bool known = false;
     for (std::size_t b = 0; b < D; ++b)
       for (const std::string_view name : edge_names[b]) known = known || boundary.where == name;
     if (!known)
-      throw InputError(boundary.place,
-                       fmt::format("formulation \"{}\" knows whole edges only ({}); \"{}\" is none of "
-                                   "them",
-                                   name_of(scene.formulation),
-                                   D == 1 ? "left, right" : "left, right, bottom, top",
-                                   boundary.where));
+      throw InputError(
+          boundary.place,
+          fmt::format("formulation \"{}\" knows whole edges only ({}); \"{}\" is none of "
+                      "them",
+                      name_of(scene.formulation),
+                      D == 1 ? "left, right" : "left, right, bottom, top", boundary.where));
   }
   Edges<D> edges;
   for (int b = 0; b < D; ++b)

@@ -98,8 +98,9 @@ ExactSolution<D> bar_wave_of(const Scene& scene, const Discretisation<D>& disc) 
   const BoundaryScene* left = boundary_on(scene, "left", loaded);
   const BoundaryScene* right = boundary_on(scene, "right", loaded);
   if ((left == nullptr) == (right == nullptr))
-    throw InputError(scene.exact_place,
-                     "\"bar-wave\" needs a normal traction on exactly one of \"left\" and \"right\"");
+    throw InputError(
+        scene.exact_place,
+        "\"bar-wave\" needs a normal traction on exactly one of \"left\" and \"right\"");
   bar.traction = *(left != nullptr ? left : right)->normal_traction;
   bar.loaded = left != nullptr ? BarWave::Side::lower : BarWave::Side::upper;
   const bool fixed = boundary_on(scene, left != nullptr ? "right" : "left", holds_x) != nullptr;
@@ -116,12 +117,13 @@ ExactSolution<D> uniform_stretch_of(const Scene& scene, const Discretisation<D>&
       if (boundary.where != (right ? "right" : "left")) continue;
       for (const ComponentCurve& motion : boundary.motion)
         if (motion.component == 0)
-          return uniform_stretch<D>({right ? box.lower[0] : box.upper[0],
-                                     right ? length : -length, motion.curve},
-                                    disc.regions.front().law);
+          return uniform_stretch<D>(
+              {right ? box.lower[0] : box.upper[0], right ? length : -length, motion.curve},
+              disc.regions.front().law);
     }
-  throw InputError(scene.exact_place,
-                   "\"uniform-stretch\" needs a prescribed displacement x of \"right\" or \"left\"");
+  throw InputError(
+      scene.exact_place,
+      "\"uniform-stretch\" needs a prescribed displacement x of \"right\" or \"left\"");
 }
 
 }  // namespace

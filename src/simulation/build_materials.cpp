@@ -51,8 +51,8 @@ std::size_t material_at(const Scene& scene, const Vector<D>& X, double tolerance
     bool inside = true;
     for (int a = 0; a < D; ++a) {
       const auto d = static_cast<std::size_t>(a);
-      inside = inside && X[a] >= material.lower[d] - tolerance &&
-               X[a] <= material.upper[d] + tolerance;
+      inside =
+          inside && X[a] >= material.lower[d] - tolerance && X[a] <= material.upper[d] + tolerance;
     }
     if (inside) return k;
   }
@@ -71,8 +71,9 @@ void add_materials(const Scene& scene, Discretisation<D>& disc) {
   for (std::size_t k = 0; k < scene.materials.size(); ++k) {
     const MaterialScene& material = scene.materials[k];
     if (members[k].empty())
-      throw InputError(material.place,
-                       "the region holds no material point; move or enlarge its box, or leave it out");
+      throw InputError(
+          material.place,
+          "the region holds no material point; move or enlarge its box, or leave it out");
     for (const int s : members[k]) density[s] = material.density;
     Region<D> region{make_law<D>(law_name(material.law),
                                  material.assumption == AssumptionKind::strain ? Assumption::strain

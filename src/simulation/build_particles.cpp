@@ -20,8 +20,7 @@ double estimated_bytes(const Scene& scene, double particles) {
   const bool cells = scene.formulation == Formulation::stress_point && !scene.kernel.support;
   const double support = scene.kernel.support.value_or(0.0);
   double neighbours = 1 << d;
-  if (!cells)
-    neighbours = d == 1 ? 2.0 * support : std::numbers::pi * support * support;
+  if (!cells) neighbours = d == 1 ? 2.0 * support : std::numbers::pi * support * support;
   const bool per_component =
       scene.formulation == Formulation::mirror || scene.formulation == Formulation::thesis;
   const double weights = per_component ? d * d : d;
@@ -47,17 +46,18 @@ Particles<D> build_particles(const Scene& scene) {
     const double factor = std::pow(need / (0.9 * have), 1.0 / D);
     throw InputError(
         scene.body.spacing_place,
-        fmt::format("{:.3g} particles would need about {:.3g} GB of memory, this machine has {:.3g} "
-                    "GB; choose a spacing above {:.2g}",
-                    count, need * 1e-9, have * 1e-9, scene.body.spacing * factor));
+        fmt::format(
+            "{:.3g} particles would need about {:.3g} GB of memory, this machine has {:.3g} "
+            "GB; choose a spacing above {:.2g}",
+            count, need * 1e-9, have * 1e-9, scene.body.spacing * factor));
   }
   Particles<D> particles =
       make_lattice<D>(shape, scene.body.spacing, placement, scene.body.spacing_place);
   if constexpr (D == 2)
     if (scene.body.fit) particles = fitted(particles, shape, scene.body.place);
   if (scene.body.jitter > 0.0)
-    particles = jittered<D>(std::move(particles), scene.body.jitter, scene.body.seed,
-                            scene.body.place);
+    particles =
+        jittered<D>(std::move(particles), scene.body.jitter, scene.body.seed, scene.body.place);
   for (const NamedBox& box : scene.body.tags)
     particles = with_named_box<D>(std::move(particles), box.name,
                                   Eigen::Map<const Vector<D>>(box.lower.data()),

@@ -8,13 +8,14 @@
 namespace tlsph::parts {
 namespace {
 
-/// Multiples of the modulus (stiffness) or of ρ c_p Δ (viscosity) that `coefficient = "auto"` means.
+/// Multiples of the modulus (stiffness) or of ρ c_p Δ (viscosity) that `coefficient = "auto"`
+/// means.
 constexpr double auto_cell_stiffness = 4.0 / 3.0;  // of E/(1−ν²): exact bending of a rectangle
 constexpr double auto_pair_stiffness = 0.1;        // of μ
 constexpr double auto_viscosity = 0.2;             // of ρ c_p Δ
 
-/// Support of the narrow linear gradient the pair error is measured with, in spacings: it reaches the
-/// diagonal neighbours of a lattice.
+/// Support of the narrow linear gradient the pair error is measured with, in spacings: it reaches
+/// the diagonal neighbours of a lattice.
 constexpr double pair_support = 1.515;
 
 /// E/(1−ν²) in plane strain, E in plane stress: the modulus of a fibre that bends.
@@ -43,13 +44,11 @@ double automatic(const StabiliserScene& stabiliser) {
 
 template <int D>
 ScalarField strengths(const Scene& scene, const Discretisation<D>& disc, const VectorField<D>& at) {
-  const double coefficient =
-      scene.stabiliser.coefficient.value_or(automatic(scene.stabiliser));
+  const double coefficient = scene.stabiliser.coefficient.value_or(automatic(scene.stabiliser));
   ScalarField result(at.rows());
   for (Index s = 0; s < at.rows(); ++s) {
     const Vector<D> x = at.row(s).transpose();
-    result[s] =
-        coefficient * unit<D>(scene, disc, material_at<D>(scene, x, 1e-9 * disc.spacing));
+    result[s] = coefficient * unit<D>(scene, disc, material_at<D>(scene, x, 1e-9 * disc.spacing));
   }
   return result;
 }
@@ -74,9 +73,10 @@ void add_stabiliser(const Scene& scene, Discretisation<D>& disc) {
       S = normal_matrix(hourglass_rows(disc.particles, disc.gradient),
                         strengths<2>(scene, disc, disc.points.X));
     } else {
-      throw InputError(stabiliser.place,
-                       "kind = \"cell\" is for two dimensions: a cell of two nodes has no hourglass; "
-                       "use \"none\"");
+      throw InputError(
+          stabiliser.place,
+          "kind = \"cell\" is for two dimensions: a cell of two nodes has no hourglass; "
+          "use \"none\"");
     }
   } else {
     const auto narrow =

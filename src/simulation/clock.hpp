@@ -1,17 +1,18 @@
 #pragma once
 /// \file
-/// Time steps that land on the end: a segment of equal steps, replaced when the critical step changes.
+/// Time steps that land on the end: a segment of equal steps, replaced when the critical step
+/// changes.
 
 #include <cmath>
 
 namespace tlsph {
 
 struct Clock {
-  double start = 0.0;    ///< of the segment [s]
-  long first = 0;        ///< step at which it starts
-  long count = 1;        ///< steps in it
-  double end = 0.0;      ///< of the run [s]
-  double dt = 0.0;       ///< [s]
+  double start = 0.0;  ///< of the segment [s]
+  long first = 0;      ///< step at which it starts
+  long count = 1;      ///< steps in it
+  double end = 0.0;    ///< of the run [s]
+  double dt = 0.0;     ///< [s]
 
   /// Steps of at most `limit` from (time, step) to `end`.
   static Clock from(double time, long step, double end, double limit) {

@@ -30,15 +30,14 @@ std::string plan_in(const Scene& scene) {
 
   std::string text;
   if (!scene.title.empty()) text += scene.title + "\n";
-  text += fmt::format("{} in {}D: {} particles{}, {} material points, spacing {:.4g} m\n",
-                      name_of(scene.formulation), D, disc.nodes(),
-                      disc.ghosts ? fmt::format(" and {} ghosts", disc.ghosts->lattice().ghosts())
-                                  : std::string(),
-                      disc.points.size(), disc.spacing);
-  text += scene.kernel.support
-              ? fmt::format("kernel {}, support {} spacings\n", scene.kernel.family,
-                            *scene.kernel.support)
-              : std::string("gradients from the nodes of each cell\n");
+  text += fmt::format(
+      "{} in {}D: {} particles{}, {} material points, spacing {:.4g} m\n",
+      name_of(scene.formulation), D, disc.nodes(),
+      disc.ghosts ? fmt::format(" and {} ghosts", disc.ghosts->lattice().ghosts()) : std::string(),
+      disc.points.size(), disc.spacing);
+  text += scene.kernel.support ? fmt::format("kernel {}, support {} spacings\n",
+                                             scene.kernel.family, *scene.kernel.support)
+                               : std::string("gradients from the nodes of each cell\n");
   text += "operators\n";
   const VectorOperator<D>& G = disc.ghosts ? disc.ghosts->plain_gradient() : disc.gradient;
   text += operator_line("G", G.rows(), G.cols(), G.nonzeros(),
@@ -56,12 +55,13 @@ std::string plan_in(const Scene& scene) {
     text += operator_line("W", W.rows(), W.cols(), W.nonZeros(), "kernel, with ghosts");
     for (const std::string& line : disc.ghosts->report()) text += "  " + line + "\n";
   }
-  text += fmt::format("boundary: {} components held, {} moved, {} loads\n",
-                      disc.constraints.fixed.size(), disc.constraints.moved.size(),
-                      disc.loads.size());
-  text += fmt::format("time step {:.4e} s (critical {:.4e} s = {:.3f} spacings/c_p), {:.0f} steps to "
-                      "{:.4g} s\n",
-                      dt, critical.dt, critical.scaled, steps, scene.time.end);
+  text +=
+      fmt::format("boundary: {} components held, {} moved, {} loads\n",
+                  disc.constraints.fixed.size(), disc.constraints.moved.size(), disc.loads.size());
+  text += fmt::format(
+      "time step {:.4e} s (critical {:.4e} s = {:.3f} spacings/c_p), {:.0f} steps to "
+      "{:.4g} s\n",
+      dt, critical.dt, critical.scaled, steps, scene.time.end);
   if (critical.growth)
     text += fmt::format("largest growth rate of a free motion {:.2e} c_p/spacing\n",
                         *critical.growth * disc.spacing / disc.wave_speed());

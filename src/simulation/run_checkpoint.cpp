@@ -19,8 +19,7 @@ std::span<const double> flat(const auto& matrix) {
 template <int D>
 bool RunLoop<D>::checkpoint_due() const {
   if (!output_ || state_.step == 0) return false;
-  if (scene_.output.checkpoint_steps > 0)
-    return state_.step % scene_.output.checkpoint_steps == 0;
+  if (scene_.output.checkpoint_steps > 0) return state_.step % scene_.output.checkpoint_steps == 0;
   return state_.step % 16 == 0 && Stopwatch::now() - last_checkpoint_ > scene_.output.checkpoint;
 }
 
@@ -34,12 +33,24 @@ void RunLoop<D>::save_checkpoint() {
   CheckpointView view;
   view.arrays["u"] = flat(state_.u);
   view.arrays["v"] = flat(state_.v);
-  std::vector<double> values = {state_.time,       state_.last_dt,        clock_.start,
-                                clock_.end,        clock_.dt,             critical_.dt,
-                                critical_.scaled,  estimated_at_[0],      estimated_at_[1],
-                                estimated_at_[2],  ledger_.external_work, ledger_.dissipated,
-                                ledger_.angular_impulse, first_energy_,   largest_energy_,
-                                drift_,            first_angular_,        momentum_scale_,
+  std::vector<double> values = {state_.time,
+                                state_.last_dt,
+                                clock_.start,
+                                clock_.end,
+                                clock_.dt,
+                                critical_.dt,
+                                critical_.scaled,
+                                estimated_at_[0],
+                                estimated_at_[1],
+                                estimated_at_[2],
+                                ledger_.external_work,
+                                ledger_.dissipated,
+                                ledger_.angular_impulse,
+                                first_energy_,
+                                largest_energy_,
+                                drift_,
+                                first_angular_,
+                                momentum_scale_,
                                 angular_scale_};
   for (int i = 0; i < D; ++i) values.push_back(ledger_.impulse[i]);
   for (int i = 0; i < D; ++i) values.push_back(first_momentum_[i]);
@@ -63,9 +74,10 @@ void RunLoop<D>::save_checkpoint() {
 template <int D>
 void RunLoop<D>::resume_from(const Checkpoint& checkpoint) {
   if (checkpoint.text("scene") != scene_.text)
-    throw InputError(Place{checkpoint.path.string(), 0, 0, {}},
-                     "belongs to another scene or other overrides; resume with the same, or run anew "
-                     "without --resume");
+    throw InputError(
+        Place{checkpoint.path.string(), 0, 0, {}},
+        "belongs to another scene or other overrides; resume with the same, or run anew "
+        "without --resume");
   const auto fill = [&](const char* name, auto& field) {
     const auto& values = checkpoint.array(name, static_cast<std::size_t>(field.size()));
     std::copy(values.begin(), values.end(), field.data());

@@ -15,7 +15,8 @@ namespace {
 /// Steps between looks at the deformation, for laws whose stiffness follows it.
 constexpr long watch_every = 50;
 
-/// Change of a strain extreme that calls for a new estimate of the step: absolute and relative part.
+/// Change of a strain extreme that calls for a new estimate of the step: absolute and relative
+/// part.
 constexpr double strain_change = 0.03;
 constexpr double strain_change_relative = 0.1;
 
@@ -30,8 +31,7 @@ std::vector<ProbeRequest<D>> probe_requests(const Scene& scene) {
   std::vector<ProbeRequest<D>> requests;
   for (const ProbeScene& probe : scene.probes) {
     ProbeRequest<D> request{probe.name, Eigen::Map<const Vector<D>>(probe.at.data()), {}};
-    for (const Quantity quantity : probe.record)
-      request.quantities.emplace_back(name_of(quantity));
+    for (const Quantity quantity : probe.record) request.quantities.emplace_back(name_of(quantity));
     requests.push_back(std::move(request));
   }
   return requests;
@@ -69,13 +69,13 @@ void RunLoop<D>::run(Summary& summary) {
   state_ = make_state<D>(disc_, std::move(initial.displacement), std::move(initial.velocity));
   evaluate<D>(disc_, state_);
   choose_step(&summary);
-  books_every_ = scene_.output.energy_every > 0
-                     ? scene_.output.energy_every
-                     : std::max(1L, clock_.count / default_book_rows);
+  books_every_ = scene_.output.energy_every > 0 ? scene_.output.energy_every
+                                                : std::max(1L, clock_.count / default_book_rows);
   if (options_.resume) {
     resume_from(read_checkpoint(options_.out / "checkpoint.h5"));
   } else {
-    if (!options_.out.empty()) output_.emplace(options_.out, scene_, disc_, probes_, exact_, std::nullopt);
+    if (!options_.out.empty())
+      output_.emplace(options_.out, scene_, disc_, probes_, exact_, std::nullopt);
     start<D>(disc_, state_, clock_.dt);
     save_checkpoint();
   }
@@ -101,7 +101,8 @@ void RunLoop<D>::run(Summary& summary) {
       observe();
       if (state_.step == clock_.last()) break;
       step();
-      // A checkpoint holds a step that is not booked yet: the loop, or a resumed one, does that next.
+      // A checkpoint holds a step that is not booked yet: the loop, or a resumed one, does that
+      // next.
       if (options_.stop_requested != nullptr && *options_.stop_requested) {
         summary.interrupted = true;
         save_checkpoint();
@@ -137,10 +138,11 @@ void RunLoop<D>::choose_step(Summary* summary) {
     summary->dt_critical_scaled = critical_.scaled;
     summary->growth_rate = critical_.growth;
   } else if (clock_.dt < collapse * previous) {
-    throw NumericalError(fmt::format("the critical time step collapsed to {:.3e} s at t = {:.6e} s: "
-                                     "the body is being crushed",
-                                     critical_.dt, state_.time),
-                         state_.time, -1);
+    throw NumericalError(
+        fmt::format("the critical time step collapsed to {:.3e} s at t = {:.6e} s: "
+                    "the body is being crushed",
+                    critical_.dt, state_.time),
+        state_.time, -1);
   }
   estimated_at_ = strain_extremes<D>(state_.H);
 }
@@ -172,8 +174,8 @@ void RunLoop<D>::observe() {
   const bool probes_due =
       !probes_.columns().empty() && (state_.step % scene_.output.probe_every == 0 || last);
   const long frames = scene_.output.frames;
-  const double frame_time =
-      static_cast<double>(next_frame_) * scene_.time.end / static_cast<double>(std::max(1L, frames));
+  const double frame_time = static_cast<double>(next_frame_) * scene_.time.end /
+                            static_cast<double>(std::max(1L, frames));
   const bool frame_due =
       next_frame_ <= frames && (last || state_.time >= frame_time - 0.5 * clock_.dt);
   if (!probes_due && !frame_due) return;
@@ -222,8 +224,8 @@ void RunLoop<D>::sample_books() {
 template <int D>
 void RunLoop<D>::keep_last_good_state() {
   if (!output_ || state_.step == 0) return;
-  // One step back: u_n = u_{n−1} + Δt v_{n−½}. Frames written at the lost state itself do not exist,
-  // for evaluate throws first.
+  // One step back: u_n = u_{n−1} + Δt v_{n−½}. Frames written at the lost state itself do not
+  // exist, for evaluate throws first.
   state_.u -= state_.last_dt * state_.v;
   state_.time -= state_.last_dt;
   try {
@@ -254,8 +256,7 @@ void RunLoop<D>::finish(Summary& summary) {
   summary.steps = state_.step;
   summary.end_time = state_.time;
   summary.energy = {now.kinetic, now.elastic, ledger_.external_work + now.gravity,
-                    ledger_.dissipated,
-                    largest_energy_ > 0.0 ? drift_ / largest_energy_ : 0.0};
+                    ledger_.dissipated, largest_energy_ > 0.0 ? drift_ / largest_energy_ : 0.0};
   summary.linear_momentum_drift = momentum_scale_ > 0.0 ? momentum_drift_ / momentum_scale_ : 0.0;
   summary.angular_momentum_drift = angular_scale_ > 0.0 ? angular_drift_ / angular_scale_ : 0.0;
 }

@@ -149,8 +149,8 @@ std::span<const double> RunOutput<D>::field(const std::string& name, const Discr
   }
   for (Index s = 0; s < disc.points.size(); ++s) {
     const Tensor<D> H = tensor_at<D>(state.H, s);
-    const StressMeasures<D> stress = stress_measures<D>(disc.regions[region_of<D>(disc, s)], H,
-                                                        tensor_at<D>(state.P, s));
+    const StressMeasures<D> stress =
+        stress_measures<D>(disc.regions[region_of<D>(disc, s)], H, tensor_at<D>(state.P, s));
     const Tensor<D> F = Tensor<D>::Identity() + H;
     if (quantity == Quantity::pressure)
       out.push_back(stress.pressure);

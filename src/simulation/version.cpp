@@ -2,6 +2,8 @@
 
 namespace tlsph {
 
-std::string version() { return TLSPH_VERSION; }
+std::string version() {
+  return TLSPH_VERSION;
+}
 
 }  // namespace tlsph

@@ -1,8 +1,8 @@
 #pragma once
 /// \file
-/// What the world does to the body: degrees of freedom that are held or moved, loads, and the signals
-/// (a number a time) that enter the operators of formulations with ghosts. Degrees of freedom are
-/// numbered node·d + component.
+/// What the world does to the body: degrees of freedom that are held or moved, loads, and the
+/// signals (a number a time) that enter the operators of formulations with ghosts. Degrees of
+/// freedom are numbered node·d + component.
 
 #include <vector>
 
@@ -18,8 +18,8 @@ struct Constraints {
     Index dof = 0;
     std::size_t curve = 0;
   };
-  std::vector<Index> fixed;     ///< sorted, each once
-  std::vector<Motion> moved;    ///< sorted, disjoint from `fixed`
+  std::vector<Index> fixed;   ///< sorted, each once
+  std::vector<Motion> moved;  ///< sorted, disjoint from `fixed`
   std::vector<Curve> curves;
 };
 

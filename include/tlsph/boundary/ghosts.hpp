@@ -1,8 +1,8 @@
 #pragma once
 /// \file
-/// The thesis's boundary treatment: ghost particles whose values are solved for each step, so that the
-/// SPH approximation takes the prescribed value on boundary and ghosts ("modified SPH matrix", 2.46),
-/// factorised once; or, in 1D, the η corrections (2.42), (2.45).
+/// The thesis's boundary treatment: ghost particles whose values are solved for each step, so that
+/// the SPH approximation takes the prescribed value on boundary and ghosts ("modified SPH
+/// matrix", 2.46), factorised once; or, in 1D, the η corrections (2.42), (2.45).
 ///
 /// Erratum of the source: (2.46) as printed drops the coupling W_(BG)I f_I, so that
 /// ⟨f⟩_B ≠ f̄_B against its own claim (2.47). The consistent system is

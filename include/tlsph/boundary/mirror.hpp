@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// The `mirror` formulation: fields extended beyond the box by reflection, the ghosts eliminated into
-/// the matrices once. No ghosts at run time, order 2, tractions exact at the loaded particles.
+/// The `mirror` formulation: fields extended beyond the box by reflection, the ghosts eliminated
+/// into the matrices once. No ghosts at run time, order 2, tractions exact at the loaded particles.
 
 #include "tlsph/boundary/extension.hpp"
 #include "tlsph/operators/lattice_stencil.hpp"
@@ -12,11 +12,11 @@ namespace tlsph {
 /// Operators with their boundary terms.
 template <int D>
 struct FoldedOperators {
-  VectorOperator<D> gradient;               ///< G, N×N
-  VectorOperator<D> divergence;             ///< D = V X, N×N
-  std::vector<SignalTerm> gradient_terms;   ///< into H, slot = node·d² + component
-  std::vector<SignalTerm> force_terms;      ///< into f, slot = node·d + component
-  std::vector<SignalTerm> stress_values;    ///< P at these slots **is** weight · signal
+  VectorOperator<D> gradient;              ///< G, N×N
+  VectorOperator<D> divergence;            ///< D = V X, N×N
+  std::vector<SignalTerm> gradient_terms;  ///< into H, slot = node·d² + component
+  std::vector<SignalTerm> force_terms;     ///< into f, slot = node·d + component
+  std::vector<SignalTerm> stress_values;   ///< P at these slots **is** weight · signal
 };
 
 /// Folded gradient and force operator of a box; `V` are the node volumes. InputError if the box is

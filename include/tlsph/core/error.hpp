@@ -25,8 +25,8 @@ struct Place {
   }
 };
 
-/// The user asked for something impossible (exit code 2). The message says what is wrong and what is
-/// allowed.
+/// The user asked for something impossible (exit code 2). The message says what is wrong and what
+/// is allowed.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(const std::string& message) : std::runtime_error(message) {}

@@ -15,10 +15,10 @@ struct CriticalStep {
   std::optional<double> growth;
 };
 
-/// Adjoint formulations: Lanczos on M^-½ K M^-½ gives the largest ω², and with a viscous matrix, taken
-/// at the lagged half-step velocity, Δt solves λ_max(Δt² K + 2Δt C) = 4 relative to M, which is where
-/// the first mode reaches z = −1. Others: Arnoldi on M⁻¹K, 2/√|λ|max, and the growth of its
-/// non-real or negative eigenvalues. Evaluated at the displacement gradients `state.H`.
+/// Adjoint formulations: Lanczos on M^-½ K M^-½ gives the largest ω², and with a viscous matrix,
+/// taken at the lagged half-step velocity, Δt solves λ_max(Δt² K + 2Δt C) = 4 relative to M, which
+/// is where the first mode reaches z = −1. Others: Arnoldi on M⁻¹K, 2/√|λ|max, and the growth of
+/// its non-real or negative eigenvalues. Evaluated at the displacement gradients `state.H`.
 template <int D>
 [[nodiscard]] CriticalStep critical_step(const Discretisation<D>& discretisation,
                                          const State<D>& state);

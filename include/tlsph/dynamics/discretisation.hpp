@@ -4,7 +4,8 @@
 ///
 ///     H = G u (+ signals)      P = ∂Ψ/∂F at F = I + H      a = M⁻¹ (D P − S u − C v + f(t))
 ///
-/// A Discretisation holds that choice. It is const once built; State is the only thing that changes.
+/// A Discretisation holds that choice. It is const once built; State is the only thing that
+/// changes.
 
 #include <memory>
 #include <string>
@@ -35,8 +36,8 @@ struct Discretisation {
   VectorOperator<D> gradient;    ///< G, M×N [1/m]
   VectorOperator<D> divergence;  ///< D, N×M [m^(d−1)]
   bool adjoint = true;           ///< D = −Gᵀ V_s
-  SparseMatrix stiffness;        ///< S, N×N [N/m per thickness], 0×0 if off; same for all components
-  SparseMatrix viscosity;        ///< C, N×N [kg/s], 0×0 if off
+  SparseMatrix stiffness;  ///< S, N×N [N/m per thickness], 0×0 if off; same for all components
+  SparseMatrix viscosity;  ///< C, N×N [kg/s], 0×0 if off
   std::shared_ptr<const GhostGradient<D>> ghosts;  ///< replaces G in the `thesis` formulation
 
   ScalarField mass;                ///< N [kg]

@@ -15,8 +15,8 @@ namespace tlsph {
 /// Angular momentum has one component in 2D and none in 1D.
 template <int D>
 struct Ledger {
-  double external_work = 0.0;  ///< of loads and moved supports [J per thickness]
-  double dissipated = 0.0;     ///< by C
+  double external_work = 0.0;             ///< of loads and moved supports [J per thickness]
+  double dissipated = 0.0;                ///< by C
   Vector<D> impulse = Vector<D>::Zero();  ///< of loads, body force and reactions [kg m/s]
   double angular_impulse = 0.0;           ///< about the origin
 
@@ -29,13 +29,13 @@ struct Ledger {
 /// A sample of all books at t_n. `dt` is the coming step.
 template <int D>
 struct Balance {
-  double kinetic = 0.0;  ///< ½ v_{n−½}ᵀ M v_{n+½}
-  double elastic = 0.0;  ///< Σ V Ψ + ½ uᵀ S u
-  double gravity = 0.0;  ///< work of the body force since t = 0, Σ m g·u
+  double kinetic = 0.0;                           ///< ½ v_{n−½}ᵀ M v_{n+½}
+  double elastic = 0.0;                           ///< Σ V Ψ + ½ uᵀ S u
+  double gravity = 0.0;                           ///< work of the body force since t = 0, Σ m g·u
   Vector<D> linear_momentum = Vector<D>::Zero();  ///< Σ m v_n
-  double angular_momentum = 0.0;                  ///< Σ m x × v_n (X × v_n for linear elasticity)
-  double momentum_scale = 0.0;                    ///< Σ m |v_n|
-  double angular_scale = 0.0;                     ///< Σ m |x| |v_n|
+  double angular_momentum = 0.0;  ///< Σ m x × v_n (X × v_n for linear elasticity)
+  double momentum_scale = 0.0;    ///< Σ m |v_n|
+  double angular_scale = 0.0;     ///< Σ m |x| |v_n|
 };
 template <int D>
 [[nodiscard]] Balance<D> balance(const Discretisation<D>& discretisation, const State<D>& state,
@@ -43,7 +43,6 @@ template <int D>
 
 /// Σ V Ψ + ½ uᵀ S u [J per thickness] at the state's u and H.
 template <int D>
-[[nodiscard]] double elastic_energy(const Discretisation<D>& discretisation,
-                                    const State<D>& state);
+[[nodiscard]] double elastic_energy(const Discretisation<D>& discretisation, const State<D>& state);
 
 }  // namespace tlsph

@@ -12,10 +12,10 @@ namespace tlsph {
 template <int D>
 struct State {
   long step = 0;
-  double time = 0.0;       ///< t_n [s]
-  double last_dt = 0.0;    ///< t_n − t_{n−1} [s]; equal to the coming step at n = 0
-  VectorField<D> u;        ///< displacement at t_n [m]
-  VectorField<D> v;        ///< velocity at t_{n−½} [m/s]
+  double time = 0.0;     ///< t_n [s]
+  double last_dt = 0.0;  ///< t_n − t_{n−1} [s]; equal to the coming step at n = 0
+  VectorField<D> u;      ///< displacement at t_n [m]
+  VectorField<D> v;      ///< velocity at t_{n−½} [m/s]
 
   TensorField<D> H;        ///< displacement gradient at t_n
   TensorField<D> P;        ///< first Piola–Kirchhoff stress at t_n [Pa]
@@ -30,13 +30,13 @@ template <int D>
 [[nodiscard]] State<D> make_state(const Discretisation<D>& discretisation, VectorField<D> u,
                                   VectorField<D> v);
 
-/// H, P and f at the state's u, v and time. Throws NumericalError, naming time and material point, when
-/// det F ≤ 0 or a stress is not finite. Takes nothing from the heap.
+/// H, P and f at the state's u, v and time. Throws NumericalError, naming time and material point,
+/// when det F ≤ 0 or a stress is not finite. Takes nothing from the heap.
 template <int D>
 void evaluate(const Discretisation<D>& discretisation, State<D>& state);
 
-/// v_{n+½} [m/s] of one degree of freedom if the coming step is `dt`; at a moved one, what takes it to
-/// its prescribed place at t_n + dt.
+/// v_{n+½} [m/s] of one degree of freedom if the coming step is `dt`; at a moved one, what takes it
+/// to its prescribed place at t_n + dt.
 template <int D>
 [[nodiscard]] double next_velocity(const Discretisation<D>& discretisation, const State<D>& state,
                                    double dt, Index dof);
@@ -48,7 +48,6 @@ void start(const Discretisation<D>& discretisation, State<D>& state, double dt);
 /// One step of the central difference: v_{n+½} = v_{n−½} + Δt a_n, u_{n+1} = u_n + Δt v_{n+½}, to
 /// `next_time` = t_n + dt. Needs `evaluate` before; leaves H, P and f behind at t_n.
 template <int D>
-void advance(const Discretisation<D>& discretisation, State<D>& state, double dt,
-             double next_time);
+void advance(const Discretisation<D>& discretisation, State<D>& state, double dt, double next_time);
 
 }  // namespace tlsph

@@ -15,8 +15,8 @@ struct RelativeErrors {
   double stress = 0.0;
 };
 
-/// Errors at t_n; `dt` is the coming step. Needs `evaluate` before. A field whose exact values vanish
-/// everywhere gives the absolute norm.
+/// Errors at t_n; `dt` is the coming step. Needs `evaluate` before. A field whose exact values
+/// vanish everywhere gives the absolute norm.
 template <int D>
 [[nodiscard]] RelativeErrors errors_against(const ExactSolution<D>& exact,
                                             const Discretisation<D>& discretisation,

@@ -20,8 +20,9 @@ struct ProbeRequest {
   std::vector<std::string> quantities;
 };
 
-/// Evaluates probes by rows fixed at construction: the particle at the position if there is one, else a
-/// first-order consistent interpolation (nodes for motion, material points for strain and stress).
+/// Evaluates probes by rows fixed at construction: the particle at the position if there is one,
+/// else a first-order consistent interpolation (nodes for motion, material points for strain and
+/// stress).
 template <int D>
 class Probes {
  public:
@@ -29,8 +30,8 @@ class Probes {
 
   /// `<probe>.<quantity>_<component>` for every value, in the order of `sample`.
   [[nodiscard]] const std::vector<std::string>& columns() const { return columns_; }
-  /// Values at t_n; velocities at the same time as displacements. `dt` is the coming step. `row` has
-  /// one entry a column. Needs `evaluate` before; takes nothing from the heap.
+  /// Values at t_n; velocities at the same time as displacements. `dt` is the coming step. `row`
+  /// has one entry a column. Needs `evaluate` before; takes nothing from the heap.
   void sample(const Discretisation<D>& discretisation, const State<D>& state, double dt,
               std::span<double> row) const;
 

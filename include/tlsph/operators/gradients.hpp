@@ -15,14 +15,14 @@
 
 namespace tlsph {
 
-/// Correction of a collocated gradient, Bonet & Lok (CMAME 180, 1999): `none` is the difference form (40),
-/// `gradient` (42)–(45), `mixed` (54)–(58). `least_squares` fits a plane by moving least squares
-/// instead: exact for linear fields too, and at boundaries its adjoint is several times nearer to the
-/// divergence theorem, for it weighs with W where the others weigh with ∇W.
+/// Correction of a collocated gradient, Bonet & Lok (CMAME 180, 1999): `none` is the difference
+/// form (40), `gradient` (42)–(45), `mixed` (54)–(58). `least_squares` fits a plane by moving least
+/// squares instead: exact for linear fields too, and at boundaries its adjoint is several times
+/// nearer to the divergence theorem, for it weighs with W where the others weigh with ∇W.
 enum class Correction { none, gradient, mixed, least_squares };
 
-/// Kernel matrix W (N×N) and plain gradient X at the nodes `X` (N×d) with volumes `V`; `h` is the full
-/// support radius [m].
+/// Kernel matrix W (N×N) and plain gradient X at the nodes `X` (N×d) with volumes `V`; `h` is the
+/// full support radius [m].
 template <int D>
 [[nodiscard]] SparseMatrix kernel_matrix(const AnyKernel& kernel, double h, const VectorField<D>& X,
                                          const ScalarField& V);
@@ -39,15 +39,16 @@ template <int D>
 
 /// Gradient at material points from the corners of their cell: the mean gradient over the cell,
 /// G^a_sq = ½ (corner-difference vector)_a / area, which is exact for linear fields **and** whose
-/// adjoint satisfies the divergence theorem exactly on any quadrilateral (Flanagan & Belytschko 1981).
+/// adjoint satisfies the divergence theorem exactly on any quadrilateral (Flanagan & Belytschko
+/// 1981).
 template <int D>
 [[nodiscard]] VectorOperator<D> cell_gradient(const Particles<D>& particles,
                                               const MaterialPoints<D>& points);
 
 /// Gradient at material points by a linear moving-least-squares fit over all nodes within `h` [m],
-/// weights W(r) without volumes: half volumes at the boundary would undo the adjoint's balance there
-/// (swinging plate, collocated, n = 32: stress error 1.6e-1 with them, 1.7e-2 without). InputError
-/// where a point has too few neighbours.
+/// weights W(r) without volumes: half volumes at the boundary would undo the adjoint's balance
+/// there (swinging plate, collocated, n = 32: stress error 1.6e-1 with them, 1.7e-2 without).
+/// InputError where a point has too few neighbours.
 template <int D>
 [[nodiscard]] VectorOperator<D> point_gradient(const AnyKernel& kernel, double h,
                                                const VectorField<D>& points,

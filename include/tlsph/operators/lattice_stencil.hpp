@@ -10,8 +10,8 @@
 
 namespace tlsph {
 
-/// Offsets of a kernel's support on the lattice, with weights normalised so that W sums to one and X
-/// is exact for linear fields in the interior.
+/// Offsets of a kernel's support on the lattice, with weights normalised so that W sums to one and
+/// X is exact for linear fields in the interior.
 template <int D>
 struct LatticeStencil {
   std::vector<std::array<int, D>> offset;
@@ -22,6 +22,5 @@ struct LatticeStencil {
 template <int D>
 [[nodiscard]] LatticeStencil<D> lattice_stencil(const AnyKernel& kernel, double support,
                                                 const LatticeFrame<D>& frame);
-
 
 }  // namespace tlsph

@@ -8,7 +8,8 @@
 
 namespace tlsph {
 
-/// Compressed lists: the neighbours of row s are `column[start[s]] … column[start[s+1]-1]`, ascending.
+/// Compressed lists: the neighbours of row s are `column[start[s]] … column[start[s+1]-1]`,
+/// ascending.
 struct Neighbours {
   std::vector<Index> start;
   std::vector<int> column;
@@ -17,8 +18,8 @@ struct Neighbours {
   [[nodiscard]] Index size() const { return static_cast<Index>(column.size()); }
 };
 
-/// Nodes (rows of `nodes`, N×d) nearer than `radius` [m] to each row of `points` (M×d). Nodes on the
-/// rim, where every kernel is zero, do not count (tolerance 1e-9 of the radius). O(M log N).
+/// Nodes (rows of `nodes`, N×d) nearer than `radius` [m] to each row of `points` (M×d). Nodes on
+/// the rim, where every kernel is zero, do not count (tolerance 1e-9 of the radius). O(M log N).
 template <int D>
 [[nodiscard]] Neighbours find_neighbours(const VectorField<D>& points, const VectorField<D>& nodes,
                                          double radius);

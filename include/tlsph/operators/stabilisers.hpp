@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Stabilisers: constant, symmetric, positive semi-definite matrices that vanish on linear fields and
-/// see what G does not, the checkerboard (½ uᵀ S u is an energy and rigid motions are linear
+/// Stabilisers: constant, symmetric, positive semi-definite matrices that vanish on linear fields
+/// and see what G does not, the checkerboard (½ uᵀ S u is an energy and rigid motions are linear
 /// fields, so both momenta are kept).
 
 #include "tlsph/operators/vector_operator.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// The one type behind every gradient G and force operator D: a sparse matrix whose entries are the d
-/// weights of one pair, one a direction, so that each index is read once for all directions and
+/// The one type behind every gradient G and force operator D: a sparse matrix whose entries are the
+/// d weights of one pair, one a direction, so that each index is read once for all directions and
 /// components. It becomes plain sparse matrices on request.
 ///
 ///     H = G u:   H_(ia) at s = Σ_q w^a_sq u_i at q         (M×d² from N×d)

@@ -18,7 +18,8 @@ namespace tlsph {
 
 enum class Formulation { thesis, mirror, variational, stress_point };
 /// How `thesis` closes its boundary: the modified SPH matrix (2.46) with the coupling to the inner
-/// particles that is missing in print, the same as printed, or the η corrections (2.42), (2.45) in 1D.
+/// particles that is missing in print, the same as printed, or the η corrections (2.42), (2.45) in
+/// 1D.
 enum class GhostTreatment { consistent, as_printed, eta };
 enum class BoundarySolver { automatic, cholmod, umfpack };
 enum class Placement { on_boundary, cell_centred };

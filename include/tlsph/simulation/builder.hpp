@@ -8,8 +8,8 @@
 
 namespace tlsph {
 
-/// Particles of the scene's body, with its named boxes and its jitter. InputError when their estimated
-/// memory exceeds the machine's, or when the body cannot be divided as asked.
+/// Particles of the scene's body, with its named boxes and its jitter. InputError when their
+/// estimated memory exceeds the machine's, or when the body cannot be divided as asked.
 template <int D>
 [[nodiscard]] Particles<D> build_particles(const Scene& scene);
 

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// A scene becomes a run: particles, operators, boundaries and steps, with its files. The dimension is
-/// picked here, once; everything below is a template on it.
+/// A scene becomes a run: particles, operators, boundaries and steps, with its files. The dimension
+/// is picked here, once; everything below is a template on it.
 
 #include <atomic>
 #include <filesystem>
@@ -24,8 +24,9 @@ struct RunOptions {
   std::filesystem::path out;  ///< directory of run.h5, probes.csv, …; empty: nothing is written
   int threads = 0;            ///< 0: all cores, one for small problems
   bool resume = false;        ///< go on from the checkpoint in `out`
-  std::function<void(const Progress&)> progress;       ///< called about ten times a second, may be empty
-  const std::atomic<bool>* stop_requested = nullptr;   ///< set by a signal: finish the step, save, return
+  std::function<void(const Progress&)> progress;  ///< called about ten times a second, may be empty
+  const std::atomic<bool>* stop_requested =
+      nullptr;  ///< set by a signal: finish the step, save, return
 };
 
 /// Runs the scene to its end. Throws InputError before anything is written, NumericalError with the
@@ -36,7 +37,8 @@ Summary run(const Scene& scene, const RunOptions& options);
 /// Throws InputError, also when the estimated memory exceeds the machine's.
 Plan plan(const Scene& scene);
 
-/// Writes every operator of the scene as Matrix Market files, operators.h5 and report.json into `out`.
+/// Writes every operator of the scene as Matrix Market files, operators.h5 and report.json into
+/// `out`.
 void export_operators(const Scene& scene, const std::filesystem::path& out);
 
 /// Relative default output directory: out/<stem of the scene file>.

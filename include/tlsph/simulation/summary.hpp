@@ -33,7 +33,8 @@ struct Summary {
   Index particles = 0, ghosts = 0, points = 0, nonzeros = 0;
   double neighbours_mean = 0.0, spacing = 0.0;
   double dt = 0.0, dt_critical = 0.0, dt_critical_scaled = 0.0;  ///< scaled: c_p Δt/Δ
-  std::optional<double> growth_rate;  ///< largest Re(s) of e^{st}, where D is not the adjoint of G [1/s]
+  std::optional<double>
+      growth_rate;  ///< largest Re(s) of e^{st}, where D is not the adjoint of G [1/s]
   long steps = 0;
   double end_time = 0.0;
   int threads = 1;

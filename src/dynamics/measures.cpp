@@ -1,0 +1,30 @@
+#include "tlsph/dynamics/measures.hpp"
+
+#include <algorithm>
+
+#include "tlsph/materials/stress.hpp"
+
+namespace tlsph {
+
+template <int D>
+StressMeasures<D> stress_measures(const Region<D>& region, const Tensor<D>& H, const Tensor<D>& P) {
+  const Tensor<D> sigma = cauchy<D>(region.law, H, P);
+  const double transverse = transverse_stress<D>(region.law, H);
+  return {sigma, pressure<D>(sigma, transverse), von_mises<D>(sigma, transverse)};
+}
+
+template <int D>
+std::size_t region_of(const Discretisation<D>& disc, Index point) {
+  for (std::size_t r = 0; r < disc.regions.size(); ++r) {
+    const auto& points = disc.regions[r].points;
+    if (points.empty() || std::binary_search(points.begin(), points.end(), point)) return r;
+  }
+  return 0;
+}
+
+template StressMeasures<1> stress_measures<1>(const Region<1>&, const Tensor<1>&, const Tensor<1>&);
+template StressMeasures<2> stress_measures<2>(const Region<2>&, const Tensor<2>&, const Tensor<2>&);
+template std::size_t region_of<1>(const Discretisation<1>&, Index);
+template std::size_t region_of<2>(const Discretisation<2>&, Index);
+
+}  // namespace tlsph
