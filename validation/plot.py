@@ -3,6 +3,7 @@
 
     plot.py probes out/bar_wave                 histories, against the exact ones where there are any
     plot.py frames out/swinging_plate           snapshots of a field in the deformed configuration
+    plot.py space-time out/bar_wave             a field over place and time, in one dimension
     plot.py operator export/operators.h5:G_x    sparsity pattern and spectrum
     plot.py convergence out/convergence.csv     errors against the spacing, with fitted orders
     plot.py energy out/clamped_beam             where the energy goes, and the drift of the balance
@@ -25,7 +26,7 @@ except ImportError as missing:
 
 matplotlib.use("Agg")
 
-from plotting import convergence, energy, frames, operator, probes  # noqa: E402
+from plotting import convergence, energy, frames, operator, probes, space_time  # noqa: E402
 from plotting.data import PlotError  # noqa: E402
 from plotting.style import heading, save, use_style  # noqa: E402
 
@@ -37,8 +38,8 @@ def parser():
     common.add_argument("--out", type=Path, metavar="FILE", help="figure to write (.png, .svg or .pdf)")
     common.add_argument("--title", default="", help="heading of the figure")
     commands = p.add_subparsers(dest="command", required=True, metavar="COMMAND")
-    for name, module in (("probes", probes), ("frames", frames), ("operator", operator),
-                         ("convergence", convergence), ("energy", energy)):
+    for name, module in (("probes", probes), ("frames", frames), ("space-time", space_time),
+                         ("operator", operator), ("convergence", convergence), ("energy", energy)):
         text = module.__doc__.split("\n", 1)[0]
         command = commands.add_parser(name, parents=[common], help=text, description=module.__doc__,
                                       formatter_class=argparse.RawDescriptionHelpFormatter)

@@ -10,12 +10,15 @@ from pathlib import Path
 import matplotlib
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.collections import PolyCollection
 
+from plotting.cells import Cells
 from plotting.data import PlotError, run_file
 from plotting.run import Run
-from plotting.style import WIDTH, heading, label, prefix, significant, time_axis, unit_of
+from plotting.style import WIDTH, heading, label, prefix, significant, split_quantity, time_axis, unit_of
 from plotting.tiles import Tiles
+
+
+TWO_SIDED = 0.2  # of the largest value: what the other sign must reach for colours on both sides of zero
 
 
 def arguments(command):
@@ -25,6 +28,9 @@ def arguments(command):
     command.add_argument("--times", nargs="+", type=float, metavar="T", help="the frames nearest to these times [s]")
     command.add_argument("--scale", default="1", metavar="S",
                          help="factor on the displacements of the picture, or auto for one that shows them")
+    command.add_argument("--mirror", default="", choices=("x", "y", "xy"), metavar="AXES",
+                         help="show also the images of a body modelled in part: x mirrors left and right, y top and "
+                              "bottom, xy both")
     command.add_argument("--colours", metavar="MAP", help="a matplotlib colour map")
 
 
@@ -95,15 +101,16 @@ def magnification(text, displacement, size):
 
 
 def colouring(values, name):
-    """Colour map and limits: symmetric about zero for fields of both signs."""
+    """Colour map and limits: symmetric about zero for fields of both signs, if neither is a mere trace."""
     low, high = float(np.nanmin(values)), float(np.nanmax(values))
-    signed = low < 0.0 < high and min(-low, high) > 0.02 * max(-low, high)
+    signed = low < 0.0 < high and min(-low, high) > TWO_SIDED * max(-low, high)
     if signed:
         high = max(-low, high)
         low = -high
     if high == low:
         high, low = high + 0.5, low - 0.5
-    return name or ("RdBu_r" if signed else "viridis"), matplotlib.colors.Normalize(low, high)
+    # From dark at nothing to bright at the most, also where that is negative.
+    return name or ("RdBu_r" if signed else "viridis_r" if -low > high else "viridis"), matplotlib.colors.Normalize(low, high)
 
 
 def grid_shape(count, width, height):
@@ -126,6 +133,33 @@ def trim(figure, panels):
         getattr(figure, f"set_fig{direction}")(size * (1 - count * (given - used)))
 
 
+def shape_of(run, X):
+    """What paints a field with values at X, run.nodes or run.points."""
+    if run.cells is not None:
+        return Cells(run.nodes, run.cells, at_nodes=X is run.nodes)
+    return Tiles(X, run.nodes, run.volumes)
+
+
+def images(mirror):
+    """Factors on the coordinates that make the body and its mirror images."""
+    return [np.array([x, y]) for x in ((1, -1) if "x" in mirror else (1,))
+            for y in ((1, -1) if "y" in mirror else (1,))]
+
+
+def parity(field, image):
+    """±1: what the mirror does to a component; invariants stay as they are."""
+    suffix = split_quantity(field)[1]
+    return np.prod([image["xy".index(axis)] for axis in suffix]) if set(suffix) <= set("xy") else 1
+
+
+def paint(axes, shape, body, x_scale, mirrors, field, values, colours, limits):
+    """The deformed body and its images on those axes."""
+    for image in mirrors:
+        polygons = [x_scale * polygon * image for polygon in body]
+        shape.paint(axes, np.array(polygons) if isinstance(body, np.ndarray) else polygons,
+                    parity(field, image) * values, colours, limits)
+
+
 def draw_bodies(run, options):
     if options.field and len(options.field) > 1:
         raise PlotError("--field: one field a figure in two dimensions")
@@ -135,12 +169,15 @@ def draw_bodies(run, options):
     scale, unit = prefix(values, unit_of(field))
     u = run.displacement(frames)
     factor = magnification(options.scale, u, np.max(np.ptp(run.nodes, axis=0)))
-    tiles = Tiles(X, run.nodes, run.volumes)
-    bodies = [tiles.moved(factor * displacement) for displacement in u]
-    map_name, limits = colouring(scale * values, options.colours)
+    shape = shape_of(run, X)
+    bodies = [shape.moved(factor * displacement) for displacement in u]
+    mirrors = images(options.mirror)
+    signed = np.concatenate([parity(field, image) * values for image in mirrors]) * scale
+    map_name, limits = colouring(signed, options.colours)
 
     x_scale, x_unit = prefix(np.ptp(run.nodes, axis=0), "m")
-    corners = x_scale * np.concatenate([polygon for body in bodies for polygon in body])
+    outline = x_scale * np.concatenate([polygon for body in bodies for polygon in body])
+    corners = np.concatenate([outline * image for image in mirrors])
     low, high = corners.min(axis=0), corners.max(axis=0)
     margin = 0.02 * np.max(high - low)
     width, height = high - low + 2 * margin
@@ -153,9 +190,7 @@ def draw_bodies(run, options):
         if k >= len(frames):
             axes.set_visible(False)
             continue
-        body = PolyCollection([x_scale * polygon for polygon in bodies[k]], array=scale * values[k], cmap=map_name,
-                              norm=limits, edgecolors="face", linewidths=0.4, rasterized=True)
-        axes.add_collection(body)
+        paint(axes, shape, bodies[k], x_scale, mirrors, field, scale * values[k], map_name, limits)
         axes.set(xlim=(low[0] - margin, high[0] + margin), ylim=(low[1] - margin, high[1] + margin), aspect="equal")
         axes.set_title(clock(run.times[frames[k]], t_scale, t_unit), loc="left")
         axes.grid(False)

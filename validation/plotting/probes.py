@@ -14,6 +14,9 @@ from plotting.data import PlotError, listing, table
 from plotting.style import COLOURS, INK, WIDTH, label, prefix, time_axis, unit_of
 
 
+EXACT = dict(color=INK, linewidth=0.8, dashes=(4, 2.5))
+
+
 def arguments(command):
     command.add_argument("directory", type=Path, metavar="DIR", help="output of a run, or a CSV file of probes")
     command.add_argument("--exact", action=BooleanOptionalAction,
@@ -43,38 +46,53 @@ def chosen(series, position, wanted, path, noun):
     return [name for name in names if not wanted or name in wanted]
 
 
+def exact_histories(path, demanded=None):
+    """Those of the exact solution beside the file of probes; empty where there is none, if not demanded."""
+    exact_path = path.with_name(path.stem + "_exact.csv")
+    if demanded or (demanded is None and exact_path.exists()):
+        return histories(exact_path)
+    return None, {}
+
+
+def paint(axes, quantity, probes, computed, exact):
+    """The histories of a quantity on those axes; `computed` and `exact` are what histories() gives."""
+    (time, series), (exact_time, exact_series) = computed, exact
+    everything = np.concatenate([v for (p, q), v in series.items() if q == quantity and p in probes])
+    scale, unit = prefix(everything, unit_of(quantity))
+    t_scale, t_unit = time_axis(time)
+    for k, probe in enumerate(probes):
+        if (probe, quantity) in series:
+            axes.plot(t_scale * time, scale * series[probe, quantity], color=COLOURS[k % len(COLOURS)])
+        if (probe, quantity) in exact_series:
+            axes.plot(t_scale * exact_time, scale * exact_series[probe, quantity], **EXACT, zorder=3)
+    axes.set_ylabel(label(quantity, unit).replace(" $", "\n$", 1))
+    axes.margins(x=0)
+    return f"time $t$ [{t_unit}]"
+
+
+def legend(axes, probes, exact, **place):
+    """Names of the probes above those axes, or at that place."""
+    place = place or dict(ncols=7, loc="lower left", bbox_to_anchor=(0, 1.0), borderaxespad=0.2, columnspacing=1.4)
+    handles = [plt.Line2D([], [], color=COLOURS[k % len(COLOURS)], label=probe) for k, probe in enumerate(probes)]
+    if exact:
+        handles.append(plt.Line2D([], [], **EXACT, label="exact"))
+    axes.legend(handles=handles, handlelength=1.8, **place)
+
+
 def draw(options):
     path = options.directory / "probes.csv" if options.directory.is_dir() else options.directory
-    time, series = histories(path)
+    computed = histories(path)
+    series = computed[1]
     quantities = chosen(series, 1, options.quantity, path, "quantity")
     probes = chosen(series, 0, options.probe, path, "probe")
 
-    exact_path = path.with_name(path.stem + "_exact.csv")
-    exact_time, exact = None, {}
-    if options.exact or (options.exact is None and exact_path.exists()):
-        exact_time, exact = histories(exact_path)
+    exact = exact_histories(path, options.exact)
 
-    t_scale, t_unit = time_axis(time)
     figure, panels = plt.subplots(len(quantities), 1, sharex=True, squeeze=False,
                                   figsize=(WIDTH, 0.5 + (2.6 if len(quantities) == 1 else 2.1) * len(quantities)))
     for axes, quantity in zip(panels[:, 0], quantities):
-        everything = np.concatenate([v for (p, q), v in series.items() if q == quantity and p in probes])
-        scale, unit = prefix(everything, unit_of(quantity))
-        for k, probe in enumerate(probes):
-            colour = COLOURS[k % len(COLOURS)]
-            if (probe, quantity) in series:
-                axes.plot(t_scale * time, scale * series[probe, quantity], color=colour)
-            if (probe, quantity) in exact:
-                axes.plot(t_scale * exact_time, scale * exact[probe, quantity], color=INK, linewidth=0.8,
-                          dashes=(4, 2.5), zorder=3)
-        axes.set_ylabel(label(quantity, unit).replace(" $", "\n$", 1))
-        axes.margins(x=0)
-    panels[-1, 0].set_xlabel(f"time $t$ [{t_unit}]")
+        time_label = paint(axes, quantity, probes, computed, exact)
+    panels[-1, 0].set_xlabel(time_label)
     figure.align_ylabels(panels[:, 0])
-
-    handles = [plt.Line2D([], [], color=COLOURS[k % len(COLOURS)], label=probe) for k, probe in enumerate(probes)]
-    if exact:
-        handles.append(plt.Line2D([], [], color=INK, linewidth=0.8, dashes=(4, 2.5), label="exact"))
-    panels[0, 0].legend(handles=handles, ncols=min(len(handles), 7), loc="lower left", bbox_to_anchor=(0, 1.0),
-                        borderaxespad=0.2, handlelength=1.8, columnspacing=1.4)
+    legend(panels[0, 0], probes, exact[1])
     return figure, path.with_suffix(".png")

@@ -12,9 +12,11 @@ class Run:
     def __init__(self, path):
         self.path = path
         self.file = open_h5(path)
+        self.scene = self.file["scene"].attrs.get("text", "") if "scene" in self.file else ""
         self.nodes = as_table(dataset(self.file, "particles/X"))
         self.volumes = dataset(self.file, "particles/V").ravel() if "particles/V" in self.file else None
         self.points = as_table(dataset(self.file, "points/X")) if "points/X" in self.file else self.nodes
+        self.cells = dataset(self.file, "points/cells") if "points/cells" in self.file else None
         self.times = dataset(self.file, "frames/time")
         self.dimension = self.nodes.shape[1]
 
@@ -39,7 +41,10 @@ class Run:
         return self.rows("displacement", frames)
 
     def field(self, name, frames):
-        """Positions X and values, frames × positions, of a field by its name."""
+        """Positions X and values, frames × positions, of a field by its name.
+
+        X is `nodes` or `points` itself, where the field lives.
+        """
         stem, suffix = split_quantity(name)
         if stem not in QUANTITIES and name not in self.recorded():
             stem, _, suffix = name.rpartition("_") if name.rpartition("_")[0] in self.recorded() else (name, "", "")

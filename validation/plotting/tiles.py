@@ -3,6 +3,8 @@
 import numpy as np
 from scipy.spatial import Voronoi, cKDTree
 
+from plotting.cells import paint_polygons
+
 
 class Tiles:
     """Reference corners of all tiles, one under the other, with the position each belongs to.
@@ -40,6 +42,9 @@ class Tiles:
         arm = self.corners - self.X[self.owner]
         moved = self.corners + fit[self.owner, 0] + np.einsum("ca,caj->cj", arm, fit[self.owner, 1:])
         return np.split(moved, self.ends)
+
+    def paint(self, axes, polygons, values, colours, limits):
+        return paint_polygons(axes, polygons, values, colours, limits)
 
 
 def on_boundary(nodes, volumes):
