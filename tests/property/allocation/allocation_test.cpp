@@ -1,0 +1,212 @@
+/// A step takes nothing from the heap, counted below the C++ and the C allocator.
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+
+#include "property/bodies.hpp"
+#include "tlsph/observe/probes.hpp"
+
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
+
+namespace {
+std::atomic<long> allocations{0};
+}
+
+extern "C" {
+void* __libc_malloc(std::size_t size);
+void* __libc_calloc(std::size_t count, std::size_t size);
+void* __libc_realloc(void* block, std::size_t size);
+void* __libc_memalign(std::size_t alignment, std::size_t size);
+
+void* malloc(std::size_t size) {
+  ++allocations;
+  return __libc_malloc(size);
+}
+void* calloc(std::size_t count, std::size_t size) {
+  ++allocations;
+  return __libc_calloc(count, size);
+}
+void* realloc(void* block, std::size_t size) {
+  ++allocations;
+  return __libc_realloc(block, size);
+}
+void* memalign(std::size_t alignment, std::size_t size) {
+  ++allocations;
+  return __libc_memalign(alignment, size);
+}
+void* aligned_alloc(std::size_t alignment, std::size_t size) {
+  ++allocations;
+  return __libc_memalign(alignment, size);
+}
+int posix_memalign(void** block, std::size_t alignment, std::size_t size) {
+  ++allocations;
+  *block = __libc_memalign(alignment, size);
+  return *block == nullptr ? 12 : 0;  // ENOMEM
+}
+}
+
+namespace tlsph::property {
+namespace {
+
+struct Case {
+  std::string name;
+  std::string text;
+};
+
+void PrintTo(const Case& test, std::ostream* out) {
+  *out << test.name;
+}
+
+const std::string tail = R"(
+[material]
+law = "neo-hookean"
+young = 2e6
+poisson = 0.3
+density = 1000
+[time]
+end = 1.0
+)";
+
+const std::string regions = R"(
+[material]
+young = 2e6
+poisson = 0.3
+density = 1000
+[[material.region]]
+box = [[0.0, 0.0], [0.1, 0.1]]
+law = "linear-elastic"
+density = 2000
+[time]
+end = 1.0
+)";
+
+std::vector<Case> cases() {
+  const std::string bar = R"(
+[body]
+shape = { interval = [0.0, 0.4] }
+spacing = 0.01
+[[boundary]]
+where = "left"
+traction = { curve = "pulse", amplitude = -2e3, rise = 1e-3, duration = 4e-3 }
+[[boundary]]
+where = "right"
+displacement = { x = { curve = "table", time = [0.0, 0.1, 0.2], value = [0.0, 1e-4, 0.0] } }
+)";
+  const std::string body = R"(
+[body]
+shape = { box = [[0.0, 0.0], [0.2, 0.1]] }
+spacing = 0.01
+)";
+  const std::string sheet = "gravity = [0.0, -9.81]\n" + body + R"(
+[[boundary]]
+where = "left"
+fixed = true
+[[boundary]]
+where = "right"
+displacement = { y = { curve = "sine-squared", amplitude = 1e-3, duration = 1e-2 } }
+[[boundary]]
+where = "top"
+traction = { curve = "smooth-ramp", amplitude = [1e3, -2e3], rise = 1e-3 }
+)";
+  const std::string strip = body + R"(
+[[boundary]]
+where = "left"
+traction = { curve = "pulse", amplitude = -2e3, rise = 1e-3, duration = 4e-3 }
+[[boundary]]
+where = "right"
+displacement = { x = { curve = "ramp", amplitude = 1e-4, rise = 1e-2 } }
+[[boundary]]
+where = "top"
+symmetry = true
+[[boundary]]
+where = "bottom"
+symmetry = true
+)";
+  const auto named = [](const char* formulation) {
+    return "formulation = \"" + std::string(formulation) + "\"\n";
+  };
+  const std::string pair = "[stabiliser]\nkind = \"pair\"\n";
+  const std::string damped = pair + "as = \"viscosity\"\n";
+  const std::string wide = "[kernel]\nsupport = 2.1\n";
+  const std::string d1 = "dimension = 1\n";
+  return {
+      {"bar_stress_point", d1 + named("stress-point") + bar + tail},
+      {"bar_stress_point_wide", d1 + named("stress-point") + bar + wide + pair + tail},
+      {"bar_variational", d1 + named("variational") + bar + damped + tail},
+      {"bar_mirror", d1 + named("mirror") + bar + tail},
+      {"bar_thesis", d1 + named("thesis") + bar + tail},
+      {"bar_thesis_as_printed",
+       d1 + named("thesis") + "boundary_treatment = \"as-printed\"\n" + bar + tail},
+      {"bar_thesis_eta", d1 + named("thesis") + "boundary_treatment = \"eta\"\n" + bar + tail},
+      {"bar_thesis_umfpack", d1 + named("thesis") + "boundary_solver = \"umfpack\"\n" + bar + tail},
+      {"sheet_stress_point", named("stress-point") + sheet + tail},
+      {"sheet_stress_point_damped", named("stress-point") + sheet +
+                                        "[stabiliser]\nkind = \"cell\"\nas = \"viscosity\"\n" +
+                                        tail},
+      {"sheet_stress_point_wide", named("stress-point") + sheet + wide + pair + tail},
+      {"sheet_variational", named("variational") + sheet + tail},
+      {"sheet_variational_damped", named("variational") + sheet + damped + tail},
+      {"sheet_of_two_materials", named("stress-point") + sheet + regions},
+      {"strip_mirror", named("mirror") + strip + tail},
+      {"strip_thesis", named("thesis") + strip + tail},
+  };
+}
+
+template <int D>
+long allocations_of_ten_steps(const Scene& scene, const Discretisation<D>& disc) {
+  const InitialState<D> initial = build_initial<D>(scene, disc);
+  State<D> state = make_state<D>(disc, initial.displacement, initial.velocity);
+  evaluate<D>(disc, state);
+  const double dt = 0.5 * critical_step<D>(disc, state).dt;
+  start<D>(disc, state, dt);
+  Vector<D> between = Vector<D>::Constant(0.0537);
+  const Probes<D> probes(
+      disc, {{"p",
+              between,
+              {"displacement", "velocity", "acceleration", "deformation_gradient", "pk1", "cauchy",
+               "pressure", "von_mises"}}});
+  std::vector<double> row(probes.columns().size());
+  Ledger<D> ledger;
+
+  const long before = allocations;
+  double books = 0.0;
+  for (int n = 0; n < 10; ++n) {
+    evaluate<D>(disc, state);
+    if (n > 0) ledger.arrive(disc, state, dt);
+    books += balance<D>(disc, state, dt).kinetic;
+    probes.sample(disc, state, dt, row);
+    ledger.depart(disc, state, dt);
+    advance<D>(disc, state, dt, state.time + dt);
+  }
+  const long during = allocations - before;
+
+  EXPECT_NE(books, 0.0);
+  EXPECT_TRUE(std::isfinite(row.back()));
+  return during;
+}
+
+class Step : public testing::TestWithParam<Case> {};
+
+TEST_P(Step, TakesNothingFromTheHeap) {
+  const Scene scene = read_scene_text(GetParam().text, GetParam().name);
+  long during = -1;
+
+  discretised(scene, [&](const auto& disc) { during = allocations_of_ten_steps(scene, disc); });
+
+  EXPECT_EQ(during, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(, Step, testing::ValuesIn(cases()), ByName());
+
+TEST(AllocationCounter, Counts) {
+  const long before = allocations;
+  const Eigen::VectorXd some(100);
+  EXPECT_GT(allocations, before);
+}
+
+}  // namespace
+}  // namespace tlsph::property
+
+#endif

@@ -1,0 +1,231 @@
+#pragma once
+/// \file
+/// Small free bodies, discretised in every way that has an adjoint force operator, built from
+/// scenes as a user would write them.
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "tlsph/dynamics/critical_step.hpp"
+#include "tlsph/dynamics/ledger.hpp"
+#include "tlsph/dynamics/state.hpp"
+#include "tlsph/kernels/families.hpp"
+#include "tlsph/scene/reader.hpp"
+#include "tlsph/simulation/builder.hpp"
+
+namespace tlsph::property {
+
+inline constexpr double spacing = 0.02;    // [m]
+inline constexpr double young = 2e6;       // [Pa]
+inline constexpr double density = 1000.0;  // [kg/m³]
+
+/// A body and the operators on it. Empty words are left to the scene's defaults.
+struct Variant {
+  std::string layout;
+  std::string formulation;
+  std::string correction;
+  std::string kernel;  ///< empty: the nodes of a cell
+  std::string support;
+
+  [[nodiscard]] bool one_dimensional() const { return layout == "interval"; }
+  [[nodiscard]] bool on_cells() const { return kernel.empty(); }
+  /// G·X = I; the difference form without correction differentiates constants only.
+  [[nodiscard]] bool linear_exact() const { return correction != "none"; }
+  /// The stabiliser that goes with these operators.
+  [[nodiscard]] std::string stabiliser() const {
+    return on_cells() && !one_dimensional() ? "cell" : "pair";
+  }
+  [[nodiscard]] std::string name() const {
+    std::string text = formulation + "_" + (on_cells() ? "cell" : kernel) +
+                       (correction.empty() ? "" : "_" + correction) + "_" + layout;
+    std::replace(text.begin(), text.end(), '-', '_');
+    return text;
+  }
+};
+
+inline void PrintTo(const Variant& variant, std::ostream* out) {
+  *out << variant.name();
+}
+
+/// Names tests by their parameter: its `name()` or `name`, or the text that it is.
+struct ByName {
+  template <class Parameter>
+  std::string operator()(const testing::TestParamInfo<Parameter>& test) const {
+    if constexpr (requires { test.param.name(); })
+      return test.param.name();
+    else if constexpr (requires { test.param.name; })
+      return test.param.name;
+    else
+      return test.param;
+  }
+};
+
+/// Bodies of 21 to 80 particles, none of them at the origin.
+inline std::string body_of(const std::string& layout) {
+  if (layout == "interval") return "shape = { interval = [0.1, 0.5] }\n";
+  if (layout == "disc") return "shape = { disc = { centre = [0.03, -0.02], radius = 0.08 } }\n";
+  if (layout == "hole")
+    return "shape = { difference = [ { box = [[-0.05, 0.01], [0.11, 0.17]] },\n"
+           "  { disc = { centre = [0.03, 0.09], radius = 0.04 } } ] }\n";
+  const std::string box = "shape = { box = [[-0.03, 0.02], [0.11, 0.12]] }\n";
+  return layout == "jittered" ? box + "jitter = 0.2\nseed = 7\n" : box;
+}
+
+/// The scene of a free body at rest; `end` is nothing that matters to `build`.
+inline Scene scene_of(const Variant& variant, const std::vector<std::string>& overrides = {}) {
+  std::string text = variant.one_dimensional() ? "dimension = 1\n" : "dimension = 2\n";
+  text += "formulation = \"" + variant.formulation + "\"\n[body]\n" + body_of(variant.layout) +
+          "spacing = 0.02\n";
+  if (!variant.kernel.empty()) {
+    text += "[kernel]\nfamily = \"" + variant.kernel + "\"\nsupport = " + variant.support + "\n";
+    if (!variant.correction.empty()) text += "correction = \"" + variant.correction + "\"\n";
+  }
+  text += "[stabiliser]\nkind = \"none\"\n";
+  text += "[material]\nlaw = \"linear-elastic\"\nyoung = 2e6\npoisson = 0.3\ndensity = 1000\n";
+  text += "[time]\nend = 1.0\n[output]\nframes = 0\n";
+  return read_scene_text(text, variant.name(), overrides);
+}
+
+/// Every kernel × layout × formulation with an adjoint force operator.
+inline std::vector<Variant> adjoint_variants() {
+  std::vector<Variant> variants;
+  for (const char* layout : {"interval", "box", "jittered", "disc", "hole"}) {
+    variants.push_back({layout, "stress-point", "", "", ""});
+    for (const std::string_view kernel : kernel_names()) {
+      variants.push_back({layout, "stress-point", "", std::string(kernel), "2.1"});
+      for (const char* correction : {"least-squares", "gradient", "mixed", "none"})
+        variants.push_back({layout, "variational", correction, std::string(kernel), "2.5"});
+    }
+  }
+  return variants;
+}
+
+struct Material {
+  const char* law;
+  const char* assumption;
+  [[nodiscard]] std::vector<std::string> overrides() const {
+    return {std::string("material.law=") + law, std::string("material.assumption=") + assumption};
+  }
+  [[nodiscard]] bool linear() const { return std::string_view(law) == "linear-elastic"; }
+};
+
+inline std::vector<Material> materials() {
+  return {{"linear-elastic", "strain"},      {"linear-elastic", "stress"},
+          {"st-venant-kirchhoff", "strain"}, {"st-venant-kirchhoff", "stress"},
+          {"neo-hookean", "strain"},         {"neo-hookean", "stress"}};
+}
+
+/// Builds the scene in its dimension and hands the discretisation to `use`, a generic function.
+template <class Use>
+void discretised(const Scene& scene, const Use& use) {
+  if (scene.dimension == 1)
+    use(build<1>(scene));
+  else
+    use(build<2>(scene));
+}
+
+/// The same discretisation with another material: operators do not depend on it, stabilisers do.
+template <int D>
+void set_material(Discretisation<D>& disc, const Material& material) {
+  const std::string_view law = material.law;
+  disc.regions.front().law = make_law<D>(
+      law == "linear-elastic"        ? LawName::linear_elastic
+      : law == "st-venant-kirchhoff" ? LawName::st_venant_kirchhoff
+                                     : LawName::neo_hookean,
+      std::string_view(material.assumption) == "strain" ? Assumption::strain : Assumption::stress,
+      young, 0.3);
+}
+
+/// Numbers in [−1, 1), the same on every machine.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : generator_(seed) {}
+  double operator()() { return static_cast<double>(generator_() >> 11) * 0x1p-52 - 1.0; }
+  template <int D>
+  VectorField<D> field(Index rows, double size) {
+    VectorField<D> result(rows, D);
+    for (Index k = 0; k < result.size(); ++k) result.data()[k] = size * (*this)();
+    return result;
+  }
+  template <int D>
+  Tensor<D> tensor(double size) {
+    Tensor<D> result;
+    for (Index k = 0; k < D * D; ++k) result.data()[k] = size * (*this)();
+    return result;
+  }
+
+ private:
+  std::mt19937_64 generator_;
+};
+
+/// u = A X + b.
+template <int D>
+VectorField<D> affine(const VectorField<D>& X, const Tensor<D>& A, const Vector<D>& b) {
+  return (X * A.transpose()).rowwise() + b.transpose();
+}
+
+/// Rotation of the plane; in 1D there is none.
+inline Tensor<2> rotation(double angle) {
+  Tensor<2> R;
+  R << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
+  return R;
+}
+
+/// The body at rest at displacements u, with H, P and f there.
+template <int D>
+State<D> evaluated(const Discretisation<D>& disc, const VectorField<D>& u) {
+  State<D> state = make_state<D>(disc, u, VectorField<D>::Zero(disc.nodes(), D));
+  evaluate<D>(disc, state);
+  return state;
+}
+
+/// K = −∂f/∂u at rest, dense, degrees of freedom in the order of the fields; for linear elasticity.
+template <int D>
+Eigen::MatrixXd dense_stiffness(const Discretisation<D>& disc) {
+  const Index dofs = disc.nodes() * D;
+  State<D> state = evaluated<D>(disc, VectorField<D>::Zero(disc.nodes(), D));
+  Eigen::MatrixXd K(dofs, dofs);
+  for (Index k = 0; k < dofs; ++k) {
+    state.u.setZero();
+    state.u.data()[k] = 1.0;
+    evaluate<D>(disc, state);
+    K.col(k) = -Eigen::Map<const Eigen::VectorXd>(state.f.data(), dofs);
+  }
+  return K;
+}
+
+/// A body strained by a tenth, and every particle moved a little on top.
+template <int D>
+VectorField<D> deformed(const Discretisation<D>& disc, Random& random) {
+  const Tensor<D> A = random.tensor<D>(0.1);
+  Vector<D> b;
+  for (int i = 0; i < D; ++i) b[i] = 0.3 * random();
+  return affine<D>(disc.particles.X, A, b) + random.field<D>(disc.nodes(), 0.05 * disc.spacing);
+}
+
+/// A run of `steps` equal steps as the time loop makes them, calling observe(state, ledger) at
+/// every `every`-th instant, the first and the last included, with H, P and f there.
+template <int D, class Observe>
+void march(const Discretisation<D>& disc, State<D>& state, double dt, long steps, long every,
+           const Observe& observe) {
+  Ledger<D> ledger;
+  evaluate<D>(disc, state);
+  start<D>(disc, state, dt);
+  for (long n = 0;; ++n) {
+    evaluate<D>(disc, state);
+    if (n > 0) ledger.arrive(disc, state, dt);
+    if (n % every == 0 || n == steps) observe(state, ledger);
+    if (n == steps) return;
+    ledger.depart(disc, state, dt);
+    advance<D>(disc, state, dt, static_cast<double>(n + 1) * dt);
+  }
+}
+
+}  // namespace tlsph::property
