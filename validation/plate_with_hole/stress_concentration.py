@@ -16,10 +16,10 @@ with the program it checks. Lengths are in hole radii (10 mm), stresses in units
 
     python3 validation/plate_with_hole/stress_concentration.py
 
-prints, for 8 x 8, 16 x 16 and 32 x 32 elements: linear elastic sigma/t = 3.354, 3.359, 3.360 at small
-strains, for any Poisson's ratio (a strip of endless length has 3.14, an endless sheet 3); Neo-Hookean
-at 5 MPa sigma = 16.72, 16.74, 16.74 MPa, and the middle of the pulled edge moves by 3.524, 3.532,
-3.534 mm.
+prints, for 8 x 8, 16 x 16 and 32 x 32 elements: linear elastic sigma/t = 3.354, 3.359, 3.360 at
+small strains, whatever Poisson's ratio (a strip of endless length has 3.14, an endless sheet 3);
+Neo-Hookean at 5 MPa sigma = 16.72, 16.74, 16.74 MPa, and the middle of the pulled edge moves by
+3.524, 3.532, 3.534 mm.
 """
 
 import numpy as np
@@ -50,7 +50,11 @@ def polar_map(n):
     X = (hole[:, None] + (square - hole)[:, None] * s[:, None]).reshape(-1, 2)
     number = np.arange(len(X)).reshape(2 * n + 1, 2 * n + 1)
     elements = np.array(
-        [number[i : i + 3, j : j + 3].ravel() for i in range(0, 2 * n, 2) for j in range(0, 2 * n, 2)]
+        [
+            number[i : i + 3, j : j + 3].ravel()
+            for i in range(0, 2 * n, 2)
+            for j in range(0, 2 * n, 2)
+        ]
     )
     return X, number, elements
 
@@ -88,7 +92,7 @@ def neo_hookean(F, lame, mu):
 
 
 def edge_stress(law, stretch, lame, mu):
-    """Cauchy stress along a free edge from the stretch along it: P_YY = 0 gives the stretch across."""
+    """Cauchy stress along a free edge, given the stretch along it: P_YY = 0 gives that across."""
 
     def pk1(across):
         return law(np.diag([stretch, across])[None], lame, mu)[0][0]
@@ -98,7 +102,7 @@ def edge_stress(law, stretch, lame, mu):
 
 
 def stress_at_hole(law, n, traction, poisson, load_steps=1):
-    """Cauchy stress along the pull at A and the displacement of (5, 0), for E = 1 and n x n elements."""
+    """Cauchy stress along the pull at A and displacement of (5, 0); E = 1, n x n elements."""
     lame, mu = poisson / (1 + poisson) / (1 - 2 * poisson), 0.5 / (1 + poisson)
     X, number, elements = polar_map(n)
     dofs = (2 * elements[:, :, None] + np.arange(2)).reshape(len(elements), -1)
@@ -150,7 +154,7 @@ def main():
     print("elements  linear elastic: sigma_A/t  Neo-Hookean at 5 MPa: sigma_A [MPa]  edge [mm]")
     for n in (8, 16, 32):
         factor = stress_at_hole(linear_elastic, n, traction=1e-3, poisson=0.49)[0] / 1e-3
-        stress, edge = stress_at_hole(neo_hookean, n, traction=5.0 / 70.0, poisson=0.49, load_steps=2)
+        stress, edge = stress_at_hole(neo_hookean, n, 5.0 / 70.0, poisson=0.49, load_steps=2)
         print(f"{n:3d} x {n:<3d} {factor:22.4f} {70 * stress:30.3f} {10 * edge:18.4f}")
 
 
