@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ostream>
 
 #include "lesson.hpp"
 
@@ -30,6 +31,10 @@ struct Fineness {
   int cells;         ///< through the thickness
   double tolerance;  ///< of the period, relative: a quarter with each halving
 };
+
+void PrintTo(const Fineness& fineness, std::ostream* out) {
+  *out << fineness.cells << " cells";
+}
 
 class ClampedBeam : public testing::TestWithParam<Fineness> {};
 
