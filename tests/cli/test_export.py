@@ -114,11 +114,15 @@ class Export(ProgramTest):
 
         with h5py.File(out / "operators.h5") as file:
             particles = len(file["particles/X"])
-            W, D = csr(file["W"]), csr(file["D_x"])
+            V = file["particles/V"][...]
+            W, G, D, folded = (csr(file[name]) for name in ("W", "G_x", "D_x", "D_folded_x"))
 
         self.assertGreater(particles, 21)
         self.assertEqual(W.shape, (particles, particles))
-        self.assertEqual(D.shape[0], 21)
+        self.assertEqual(G.shape, W.shape)
+        difference = abs(D - scipy.sparse.diags(V) @ G).max()
+        self.assertLessEqual(difference, 1e-14 * abs(D).max())
+        self.assertEqual(folded.shape, (21, 21))
 
 
 if __name__ == "__main__":
