@@ -41,14 +41,10 @@ ScalarField masses_by_cell(const Scene& scene, const Particles<D>& particles,
 
 template <int D>
 std::size_t material_at(const Scene& scene, const Vector<D>& X, double tolerance) {
-  std::size_t rest = scene.materials.size();
-  for (std::size_t k = 0; k < scene.materials.size(); ++k) {
+  for (std::size_t k = scene.materials.size(); k-- > 0;) {
     const MaterialScene& material = scene.materials[k];
-    if (material.lower.empty()) {
-      rest = k;
-      continue;
-    }
     bool inside = true;
+    if (material.lower.empty()) return k;
     for (int a = 0; a < D; ++a) {
       const auto d = static_cast<std::size_t>(a);
       inside =
@@ -56,7 +52,7 @@ std::size_t material_at(const Scene& scene, const Vector<D>& X, double tolerance
     }
     if (inside) return k;
   }
-  return rest;
+  return 0;
 }
 
 template <int D>

@@ -1,11 +1,13 @@
 /// A step takes nothing from the heap, counted below the C++ and the C allocator.
 
 #include <gtest/gtest.h>
+#include <omp.h>
 
 #include <atomic>
 #include <cstdlib>
 
 #include "property/bodies.hpp"
+#include "tlsph/core/parallel.hpp"
 #include "tlsph/observe/probes.hpp"
 
 #if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
@@ -199,6 +201,23 @@ TEST_P(Step, TakesNothingFromTheHeap) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, Step, testing::ValuesIn(cases()), ByName());
+
+/// Large enough to be shared among threads, whose team is kept from step to step.
+TEST(SharedStep, TakesNothingFromTheHeap) {
+  const Scene scene =
+      read_scene_text("[body]\nshape = { box = [[0.0, 0.0], [0.6, 0.6]] }\nspacing = 0.01\n" +
+                          tail + "[initial]\nvelocity = { gradient = [[0.1, 0.0], [0.0, 0.2]] }\n",
+                      "large");
+  const auto disc = build<2>(scene);
+  ASSERT_GT(disc.nodes(), parallel_rows);
+  const int before = omp_get_max_threads();
+  omp_set_num_threads(2);
+
+  const long during = allocations_of_ten_steps<2>(scene, disc);
+
+  omp_set_num_threads(before);
+  EXPECT_EQ(during, 0);
+}
 
 TEST(AllocationCounter, Counts) {
   const long before = allocations;

@@ -1,0 +1,170 @@
+/// What a scene becomes: materials where it says, masses, strengths of stabilisers.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tlsph/core/error.hpp"
+#include "tlsph/scene/reader.hpp"
+#include "tlsph/simulation/builder.hpp"
+#include "tlsph/simulation/simulation.hpp"
+
+namespace tlsph {
+namespace {
+
+const std::string sheet = R"(
+[body]
+shape = { box = [[0.0, 0.0], [0.4, 0.2]] }
+spacing = 0.02
+[material]
+law = "linear-elastic"
+young = 2e6
+poisson = 0.25
+density = 1000
+[time]
+end = 1e-3
+)";
+
+Scene scene_with(const std::vector<std::string>& overrides) {
+  return read_scene_text(sheet, "sheet.toml", overrides);
+}
+
+const std::string two_regions =
+    "material.region=[{box=[[0.1, 0.0], [0.3, 0.2]], density=3000.0}, "
+    "{box=[[0.2, 0.0], [0.4, 0.1]], density=8000.0, young=1e6}]";
+
+TEST(BuildMaterials, GivesOverlappingRegionsTheLastMaterial) {
+  const auto disc = build<2>(scene_with({two_regions}));
+  ASSERT_EQ(disc.regions.size(), 3U);
+  std::vector<double> density(static_cast<std::size_t>(disc.points.size()), 0.0);
+  for (const auto& region : disc.regions)
+    for (const int s : region.points) density[static_cast<std::size_t>(s)] += region.density;
+
+  for (Index s = 0; s < disc.points.size(); ++s) {
+    const double x = disc.points.X(s, 0);
+    const double y = disc.points.X(s, 1);
+    const double expected = x > 0.2 && y < 0.1 ? 8000.0 : x > 0.1 && x < 0.3 ? 3000.0 : 1000.0;
+    ASSERT_EQ(density[static_cast<std::size_t>(s)], expected) << x << ", " << y;
+  }
+}
+
+/// Nodes on an interface take their shares of both sides: no mass is lost or moved.
+TEST(BuildMaterials, KeepsTheMassOfEveryRegion) {
+  const auto disc = build<2>(scene_with({two_regions}));
+
+  const double expected = 8000.0 * 0.02 + 3000.0 * 0.03 + 1000.0 * 0.03;
+  EXPECT_NEAR(disc.mass.sum(), expected, 1e-12 * expected);
+  for (Index q = 0; q < disc.nodes(); ++q) {
+    const double x = disc.particles.X(q, 0);
+    const double y = disc.particles.X(q, 1);
+    if (std::abs(x - 0.2) < 1e-9 && std::abs(y - 0.06) < 1e-9) {
+      EXPECT_NEAR(disc.mass[q], 0.5 * (8000.0 + 3000.0) * 4e-4, 1e-12);
+    }
+  }
+}
+
+TEST(BuildMaterials, RefusesARegionWithoutPoints) {
+  const auto thin = scene_with({"material.region=[{box=[[0.201, 0.0], [0.202, 0.2]]}]"});
+  EXPECT_THROW((void)build<2>(thin), InputError);
+}
+
+TEST(BuildConditions, RefusesABoundaryThereIsNot) {
+  const auto scene = scene_with({"boundary=[{where=\"hole\", fixed=true}]"});
+  try {
+    (void)build<2>(scene);
+    FAIL() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("\"hole\""));
+    EXPECT_THAT(error.what(), testing::HasSubstr("left"));
+  }
+}
+
+TEST(BuildConditions, RefusesTwoMotionsOfOneCorner) {
+  const auto scene =
+      scene_with({"boundary=[{where=\"left\", fixed=\"x\"}, "
+                  "{where=\"top\", displacement={x=1e-3}}]"});
+  EXPECT_THROW((void)build<2>(scene), InputError);
+}
+
+TEST(BuildConditions, HoldsACornerOnceThatTwoEdgesHold) {
+  const auto disc =
+      build<2>(scene_with({"boundary=[{where=\"left\", fixed=true}, "
+                           "{where=\"bottom\", fixed=true}]"}));
+  EXPECT_EQ(disc.constraints.fixed.size(), 2U * (11 + 21 - 1));
+  for (const Index dof : disc.constraints.fixed) EXPECT_EQ(disc.inverse_mass.data()[dof], 0.0);
+}
+
+/// A normal traction on an edge is its length times the pressure in all.
+TEST(BuildConditions, LoadsAnEdgeWithItsWholeLength) {
+  const auto disc = build<2>(scene_with({"boundary=[{where=\"top\", traction=1.0}]"}));
+  ASSERT_EQ(disc.loads.size(), 1U);
+  double x = 0.0;
+  double y = 0.0;
+  for (std::size_t k = 0; k < disc.loads[0].dof.size(); ++k)
+    (disc.loads[0].dof[k] % 2 == 0 ? x : y) += disc.loads[0].weight[k];
+
+  EXPECT_NEAR(x, 0.0, 1e-15);
+  EXPECT_NEAR(y, 0.4, 1e-14);
+}
+
+/// κ = (4/3) E/(1 − ν²) in plane strain, (4/3) E in plane stress; on squares γ = ±1/4.
+TEST(BuildStabiliser, GivesCellsTheirBendingStiffness) {
+  const auto strain = build<2>(scene_with({}));
+  const auto stress = build<2>(scene_with({"material.assumption=stress"}));
+
+  EXPECT_NEAR(strain.stiffness.coeff(0, 0), 4.0 / 3.0 * 2e6 / (1.0 - 0.0625) / 16.0, 1e-6);
+  EXPECT_NEAR(stress.stiffness.coeff(0, 0), 4.0 / 3.0 * 2e6 / 16.0, 1e-6);
+}
+
+TEST(BuildStabiliser, IsProportionalToItsCoefficient) {
+  const auto one = build<2>(scene_with({"stabiliser.kind=pair", "stabiliser.coefficient=0.1"}));
+  const auto two = build<2>(scene_with({"stabiliser.kind=pair", "stabiliser.coefficient=0.2"}));
+
+  const SparseMatrix difference = two.stiffness - 2.0 * one.stiffness;
+  EXPECT_GT(one.stiffness.norm(), 0.0);
+  EXPECT_LE(difference.norm(), 1e-14 * two.stiffness.norm());
+}
+
+TEST(BuildParticles, RefusesABodyThatDoesNotFitIntoMemory) {
+  const auto scene = scene_with({"body.spacing=1e-7"});
+  try {
+    (void)build_particles<2>(scene);
+    FAIL() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("memory"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("choose a spacing above"));
+  }
+}
+
+TEST(BuildInitial, AddsConstantAndGradient) {
+  const auto scene =
+      scene_with({"initial.velocity={constant=[1.0, 2.0], gradient=[[0.5, 0.0], [-1.0, 2.0]]}"});
+  const auto disc = build<2>(scene);
+
+  const auto initial = build_initial<2>(scene, disc);
+
+  for (Index q = 0; q < disc.nodes(); ++q) {
+    const double x = disc.particles.X(q, 0);
+    const double y = disc.particles.X(q, 1);
+    EXPECT_NEAR(initial.velocity(q, 0), 1.0 + 0.5 * x, 1e-15);
+    EXPECT_NEAR(initial.velocity(q, 1), 2.0 - x + 2.0 * y, 1e-15);
+  }
+  EXPECT_EQ(initial.displacement.cwiseAbs().maxCoeff(), 0.0);
+}
+
+/// The run lands on its end, in equal steps no longer than allowed.
+TEST(Run, LandsOnItsEnd) {
+  const Summary summary =
+      run(scene_with({"initial.velocity={gradient=[[0.1, 0.0], [0.0, 0.0]]}"}), {});
+
+  EXPECT_EQ(summary.end_time, 1e-3);
+  EXPECT_NEAR(summary.dt * static_cast<double>(summary.steps), 1e-3, 1e-15);
+  EXPECT_LE(summary.dt, 0.9 * summary.dt_critical * (1.0 + 1e-12));
+  EXPECT_GT(summary.dt, 0.6 * summary.dt_critical);
+  EXPECT_FALSE(summary.interrupted);
+  EXPECT_EQ(summary.failure, "");
+}
+
+}  // namespace
+}  // namespace tlsph
