@@ -23,8 +23,8 @@ template <int D>
 template <int D>
 void add_stabiliser(const Scene& scene, Discretisation<D>& disc);
 
-/// The material entry that rules at X: the last one whose box holds it, else the first, which has no
-/// box.
+/// The material entry that rules at X: the last one whose box holds it, else the first, which has
+/// no box.
 template <int D>
 [[nodiscard]] std::size_t material_at(const Scene& scene, const Vector<D>& X, double tolerance);
 
