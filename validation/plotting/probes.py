@@ -85,6 +85,10 @@ def draw(options):
     series = computed[1]
     quantities = chosen(series, 1, options.quantity, path, "quantity")
     probes = chosen(series, 0, options.probe, path, "probe")
+    recorded = [q for q in quantities if any((p, q) in series for p in probes)]
+    if not recorded:
+        raise PlotError(f"{path}: {', '.join(probes)} records none of {', '.join(quantities)}")
+    quantities = recorded
 
     exact = exact_histories(path, options.exact)
 
