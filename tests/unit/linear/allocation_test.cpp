@@ -15,6 +15,7 @@ namespace {
 std::atomic<long> allocations{0};
 }
 
+// NOLINTBEGIN: the names are those of the C library.
 extern "C" {
 void* __libc_malloc(std::size_t size);
 void* __libc_calloc(std::size_t count, std::size_t size);
@@ -33,6 +34,7 @@ void* realloc(void* block, std::size_t size) {
   return __libc_realloc(block, size);
 }
 }
+// NOLINTEND
 
 namespace tlsph {
 namespace {
