@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 #include "tlsph/core/error.hpp"
 #include "tlsph/core/parallel.hpp"
+#include "tlsph/materials/kinematics.hpp"
 #include "tlsph/materials/uniaxial.hpp"
 #include "tlsph/operators/products.hpp"
 
@@ -33,6 +35,8 @@ void add_terms(const std::vector<SignalTerm>& terms, const std::vector<double>& 
 }
 
 /// P = ∂Ψ/∂F over a region; the sum of all P_11 turns NaN or infinite as soon as one of them does.
+/// A polynomial law stays finite in an inverted body, so its points with det F ≤ 0 add NaN; small
+/// strains know no det F.
 template <int D>
 double apply_law(const Region<D>& region, const TensorField<D>& H, TensorField<D>& P) {
   return std::visit(
@@ -40,6 +44,10 @@ double apply_law(const Region<D>& region, const TensorField<D>& H, TensorField<D
         const auto at = [&](Index s) {
           const Tensor<D> stress = law.pk1(tensor_at<D>(H, s));
           Eigen::Map<Tensor<D>>(P.data() + s * D * D) = stress;
+          if constexpr (!std::decay_t<decltype(law)>::small_strain) {
+            if (!(volume_change<D>(tensor_at<D>(H, s)) > -1.0))
+              return std::numeric_limits<double>::quiet_NaN();
+          }
           return stress(0, 0);
         };
         if (region.points.empty()) return sum_rows(H.rows(), at);

@@ -228,9 +228,11 @@ void RunLoop<D>::keep_last_good_state() {
   // exist, for evaluate throws first.
   state_.u -= state_.last_dt * state_.v;
   state_.time -= state_.last_dt;
+  --state_.step;
   try {
     evaluate<D>(disc_, state_);
-    output_->write_frame(disc_, state_, clock_.dt);
+    if (!output_->has_frame(state_.time, 0.5 * state_.last_dt))
+      output_->write_frame(disc_, state_, clock_.dt);
   } catch (const NumericalError&) {
     // Lost for more than a step without notice; the frames before stand.
   }

@@ -38,6 +38,11 @@ class RunOutput {
     run_file_->write_series(time, values);
   }
   void write_probes(const Discretisation<D>& discretisation, const State<D>& state, double dt);
+  /// Whether a frame of this time or a later one is there, to within `tolerance` [s].
+  [[nodiscard]] bool has_frame(double time, double tolerance) const {
+    const std::vector<double>& times = run_file_->frame_times();
+    return !times.empty() && times.back() > time - tolerance;
+  }
   /// Everything written reaches the system.
   void flush();
   [[nodiscard]] OutputCounts counts() const;

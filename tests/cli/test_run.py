@@ -193,6 +193,44 @@ class Failures(ProgramTest):
             self.assertGreaterEqual(file["frames/time"].shape[0], 2)  # the initial and the last good
         self.assertTrue(read_summary(self.folder / "results")["failure"])
 
+    def test_the_last_frame_of_a_lost_body_is_sound(self):
+        crushed = """
+            dimension = 1
+            [body]
+            shape = { interval = [0.0, 0.1] }
+            spacing = 0.02
+            [material]
+            law = "st-venant-kirchhoff"  # its stress stays finite when the body is turned inside out
+            young = 1e6
+            poisson = 0.3
+            density = 1000
+            [[boundary]]
+            where = "left"
+            fixed = true
+            [[boundary]]
+            where = "right"
+            displacement = { x = { curve = "ramp", amplitude = -0.15, rise = 0.02 } }
+            [time]
+            end = 0.02
+            [output]
+            fields = ["displacement", "deformation_gradient"]
+        """
+        for frames in (4, 100):  # the last good state comes between two frames, or has one already
+            with self.subTest(frames=frames):
+                out = self.folder / f"crushed-{frames}"
+                scene = self.write("crushed.toml", crushed)
+
+                done = self.tlsph("run", str(scene), "--out", str(out), "--quiet",
+                                  "--set", f"output.frames={frames}")
+
+                self.assertEqual(done.returncode, 3, done.stderr)
+                with h5py.File(out / "run.h5") as file:
+                    times = file["frames/time"][...]
+                    F = file["frames/deformation_gradient"][...]
+                self.assertGreater(F.min(), 0.0)
+                self.assertTrue(np.all(np.diff(times) > 0))
+                self.assertEqual(times[-1], read_summary(out)["end_time"])
+
     def test_output_in_the_way(self):
         self.write("scene.toml", BAR)
         self.write("results", "a file, not a folder")

@@ -154,6 +154,32 @@ TEST(Evaluate, NamesTimeAndPointOfALostDeformation) {
   }
 }
 
+/// Its stress is a polynomial and stays finite: det F itself has to stop the run. Cell 2 of 4 is
+/// turned inside out, its left node pushed past its right one.
+TEST(Evaluate, NamesAnInvertedPointOfALawThatStaysFinite) {
+  const auto disc = cells_of<1>(4, LawName::st_venant_kirchhoff);
+  auto u = zero<1>(disc);
+  u(2, 0) = 0.03;
+  State<1> state = make_state<1>(disc, u, zero<1>(disc));
+
+  try {
+    evaluate<1>(disc, state);
+    FAIL() << "no error";
+  } catch (const NumericalError& error) {
+    EXPECT_EQ(error.particle(), 2);
+    EXPECT_TRUE(state.P.allFinite());
+  }
+}
+
+TEST(Evaluate, LetsSmallStrainsPassWhateverDetFIs) {
+  const auto disc = cells_of<1>(4, LawName::linear_elastic);
+  auto u = zero<1>(disc);
+  u(2, 0) = 0.03;
+  State<1> state = make_state<1>(disc, u, zero<1>(disc));
+
+  EXPECT_NO_THROW(evaluate<1>(disc, state));
+}
+
 TEST(Evaluate, NamesAPointThatIsNotFinite) {
   const auto disc = cells_of<2>(2);
   auto u = zero<2>(disc);
