@@ -34,10 +34,11 @@ if(TARGET tlsph_program)
   install(TARGETS tlsph_program RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
 endif()
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
-# Where the program looks for what draws its figures (src/studies/figure.cpp).
-install(PROGRAMS "${PROJECT_SOURCE_DIR}/validation/plot.py" DESTINATION "${CMAKE_INSTALL_DATADIR}/tlsph")
-install(DIRECTORY "${PROJECT_SOURCE_DIR}/validation/plotting" DESTINATION "${CMAKE_INSTALL_DATADIR}/tlsph"
-        FILES_MATCHING PATTERN "*.py" PATTERN "__pycache__" EXCLUDE)
+# Where the program looks for what draws its figures and for the cases of `tlsph validate`
+# (validation_folder in src/studies/figure.cpp).
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/validation" DESTINATION "${CMAKE_INSTALL_DATADIR}/tlsph"
+        FILES_MATCHING PATTERN "*.py" PATTERN "*.toml" PATTERN "*.csv" PATTERN "*.md"
+        PATTERN "__pycache__" EXCLUDE)
 
 configure_package_config_file(cmake/tlsphConfig.cmake.in "${PROJECT_BINARY_DIR}/tlsphConfig.cmake"
                               INSTALL_DESTINATION "${package}" NO_SET_AND_CHECK_MACRO)

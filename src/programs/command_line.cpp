@@ -84,6 +84,17 @@ void add_converge(CLI::App& app, CommandLine& line) {
   command->callback([&line] { line.command = Command::converge; });
 }
 
+void add_validate(CLI::App& app, CommandLine& line) {
+  auto* command = app.add_subcommand(
+      "validate", "run problems of the literature and hold what comes out against what must");
+  command->add_option("CASE", line.cases, "names of cases, folders of validation/; default: all");
+  command->add_flag("--quick", line.quick, "only what takes seconds");
+  add_out(*command, line, "; default: out/validation");
+  add_threads(*command, line);
+  add_quiet(*command, line);
+  command->callback([&line] { line.command = Command::validate; });
+}
+
 }  // namespace
 
 std::optional<CommandLine> parse_command_line(int argc, const char* const* argv) {
@@ -96,6 +107,7 @@ std::optional<CommandLine> parse_command_line(int argc, const char* const* argv)
   add_plan(app, line);
   add_export(app, line);
   add_converge(app, line);
+  add_validate(app, line);
   app.add_subcommand("scene-reference", "every key of a scene: type, unit, default, range")
       ->callback([&line] { line.command = Command::scene_reference; });
   try {

@@ -9,7 +9,7 @@
 
 namespace tlsph {
 
-enum class Command { run, plan, export_operators, converge, scene_reference };
+enum class Command { run, plan, export_operators, converge, validate, scene_reference };
 
 struct CommandLine {
   Command command = Command::run;
@@ -21,6 +21,8 @@ struct CommandLine {
   bool resume = false;
   std::vector<double> spacings;           // converge
   std::vector<std::string> formulations;  // converge; empty: the scene's
+  std::vector<std::string> cases;         // validate; empty: all
+  bool quick = false;                     // validate
 };
 
 /// Reads the arguments. Empty if all the user wanted was help or the version, which is printed

@@ -1,6 +1,7 @@
 #include "commands.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <csignal>
@@ -10,11 +11,13 @@
 #include "interrupt.hpp"
 #include "progress.hpp"
 #include "report.hpp"
+#include "tlsph/cases/cases.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/scene/reader.hpp"
 #include "tlsph/simulation/simulation.hpp"
 #include "tlsph/studies/converge.hpp"
 #include "tlsph/studies/figure.hpp"
+#include "tlsph/studies/validation.hpp"
 
 namespace tlsph {
 namespace {
@@ -100,6 +103,32 @@ ExitCode converge_scene(const CommandLine& line) {
   return ExitCode::done;
 }
 
+ExitCode validate_cases(const CommandLine& line) {
+  const std::filesystem::path out = line.out.empty() ? "out/validation" : line.out;
+  ProgressDisplay display(stdout, ProgressDisplay::style_for(stdout, line.quiet));
+  ValidationOptions options;
+  options.out = out;
+  options.only = line.cases;
+  options.quick = line.quick;
+  options.at_once = line.threads;
+  options.stop_requested = catch_interrupts();
+  options.progress = [&](const std::vector<std::string>& running, double share) {
+    display.show(share, fmt::format("running {}", fmt::join(running, ", ")));
+  };
+  if (!line.quiet)
+    options.after_case = [&](const CaseResult& result, double) {
+      display.clear();
+      print(case_line(result));
+    };
+
+  const ValidationTable table = validate(all_cases(), options);
+
+  display.clear();
+  if (!line.quiet) print(fmt::format("\n{}results in {}\n", table.text(), out.string()));
+  if (table.interrupted) return interruption();
+  return table.holds() ? ExitCode::done : ExitCode::verdict_failed;
+}
+
 ExitCode print_reference() {
   print(scene_reference());
   return ExitCode::done;
@@ -117,6 +146,8 @@ ExitCode execute(const CommandLine& line) {
       return export_scene(line);
     case Command::converge:
       return converge_scene(line);
+    case Command::validate:
+      return validate_cases(line);
     case Command::scene_reference:
       return print_reference();
   }

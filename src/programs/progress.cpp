@@ -42,17 +42,26 @@ void ProgressDisplay::show(const Progress& progress) {
       fmt::format("{:3.0f} %  step {} of {}, t = {:.4g} s{}", share * 100.0, progress.step,
                   progress.steps, progress.time, remaining(share));
   if (style_ == Style::bar) {
-    constexpr int width = 30;
-    const int filled = static_cast<int>(share * width);
-    // \x1b[K clears what a longer line left behind.
-    fmt::print(stream_, "\r[{:<{}}] {}\x1b[K", std::string(static_cast<std::size_t>(filled), '='),
-               width, where);
-    visible_ = true;
+    draw(share, where);
   } else if (static_cast<int>(share * 10.0) > tenths_) {
     tenths_ = static_cast<int>(share * 10.0);
     fmt::print(stream_, "{}\n", where);
+    std::fflush(stream_);
   }
+}
+
+void ProgressDisplay::show(double share, const std::string& what) {
+  if (style_ == Style::bar) draw(share, fmt::format("{:3.0f} %  {}", share * 100.0, what));
+}
+
+void ProgressDisplay::draw(double share, const std::string& text) {
+  constexpr int width = 30;
+  const int filled = static_cast<int>(share * width);
+  // \x1b[K clears what a longer line left behind.
+  fmt::print(stream_, "\r[{:<{}}] {}\x1b[K", std::string(static_cast<std::size_t>(filled), '='),
+             width, text);
   std::fflush(stream_);
+  visible_ = true;
 }
 
 void ProgressDisplay::clear() {

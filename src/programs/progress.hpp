@@ -27,9 +27,12 @@ class ProgressDisplay {
   ~ProgressDisplay() { clear(); }
 
   void show(const Progress& progress);
+  /// Of work that is no run: a bar on a terminal, nothing elsewhere.
+  void show(double share, const std::string& what);
   void clear();
 
  private:
+  void draw(double share, const std::string& text);
   [[nodiscard]] std::string remaining(double share) const;
 
   std::FILE* stream_;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace tlsph {
 
 std::string run_report(const Summary& s, const std::filesystem::path& out) {
@@ -34,6 +36,15 @@ std::string converge_report(const std::filesystem::path& out, const Figure& figu
   const std::string text = fmt::format("results in {}", out.string());
   if (figure.drawn) return text + fmt::format(", drawn in {}\n", figure.file.string());
   return text + fmt::format("\nno figure; draw it with: {}\n", figure.command);
+}
+
+std::string case_line(const CaseResult& result) {
+  const std::string text = fmt::format("{:<24} {:>6.1f} s  ", result.name, result.seconds);
+  if (!result.failure.empty()) return text + fmt::format("came to no end: {}\n", result.failure);
+  const auto failed =
+      std::ranges::count_if(result.checks, [](const Check& c) { return !c.holds(); });
+  if (failed > 0) return text + fmt::format("{} of {} checks fail\n", failed, result.checks.size());
+  return text + fmt::format("{} numbers, all hold\n", result.checks.size());
 }
 
 }  // namespace tlsph

@@ -8,6 +8,7 @@
 #include "tlsph/simulation/summary.hpp"
 #include "tlsph/studies/converge.hpp"
 #include "tlsph/studies/figure.hpp"
+#include "tlsph/studies/validation.hpp"
 
 namespace tlsph {
 
@@ -18,5 +19,8 @@ namespace tlsph {
 
 /// Where the files of `converge` are, and how to draw the figure if that did not work.
 [[nodiscard]] std::string converge_report(const std::filesystem::path& out, const Figure& figure);
+
+/// One case of `validate`, as it ends.
+[[nodiscard]] std::string case_line(const CaseResult& result);
 
 }  // namespace tlsph

@@ -9,22 +9,26 @@
 #include <array>
 #include <cerrno>
 #include <cstdlib>
+#include <optional>
+#include <vector>
 
 namespace tlsph {
 namespace {
 
 namespace fs = std::filesystem;
 
+/// The value of an environment variable that is set and not empty.
+std::optional<fs::path> chosen_by(const char* variable) {
+  const char* value = std::getenv(variable);
+  if (value == nullptr || *value == '\0') return std::nullopt;
+  return value;
+}
+
 /// The script, empty if there is none.
 fs::path plot_script() {
-  if (const char* chosen = std::getenv("TLSPH_PLOT"); chosen != nullptr && *chosen != '\0')
-    return chosen;
-  std::error_code ignored;
-  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
-  for (const fs::path& candidate :
-       {program.parent_path().parent_path() / "share/tlsph/plot.py", fs::path(TLSPH_PLOT_SCRIPT)})
-    if (fs::is_regular_file(candidate, ignored)) return candidate;
-  return {};
+  if (const auto chosen = chosen_by("TLSPH_PLOT")) return *chosen;
+  const fs::path folder = validation_folder();
+  return folder.empty() ? folder : folder / "plot.py";
 }
 
 /// Runs a program with nothing to read and nothing to say; true if it exits with 0.
@@ -50,13 +54,28 @@ bool runs(std::vector<std::string> words) {
 
 }  // namespace
 
+fs::path validation_folder() {
+  if (const auto chosen = chosen_by("TLSPH_VALIDATION")) return *chosen;
+  std::error_code ignored;
+  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+  for (const fs::path& candidate : {program.parent_path().parent_path() / "share/tlsph/validation",
+                                    fs::path(TLSPH_VALIDATION_FOLDER)})
+    if (fs::is_regular_file(candidate / "plot.py", ignored)) return candidate;
+  return {};
+}
+
 Figure draw_figure(const std::string& kind, const fs::path& data) {
+  return draw_figure(kind, data, fs::path(data).replace_extension(".png"));
+}
+
+Figure draw_figure(const std::string& kind, const fs::path& data, const fs::path& file) {
   Figure figure;
-  figure.file = fs::path(data).replace_extension(".png");
+  figure.file = file;
   const fs::path script = plot_script();
   figure.command =
       fmt::format("python3 {} {} {}", script.empty() ? "validation/plot.py" : script.string(), kind,
                   data.string());
+  if (file != fs::path(data).replace_extension(".png")) figure.command += " --out " + file.string();
   if (script.empty()) return figure;
   const bool system = access("/usr/bin/python3", X_OK) == 0;
   // -B: no byte code beside the scripts, which may lie where only the system writes.

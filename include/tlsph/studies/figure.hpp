@@ -14,9 +14,16 @@ struct Figure {
   std::string command;         ///< what draws it
 };
 
-/// `plot.py KIND DATA`: writes DATA with the suffix .png. The script is $TLSPH_PLOT, else that of
-/// the installation this program is from (share/tlsph/plot.py beside its bin), else that of the
-/// source tree; Python is /usr/bin/python3, else the first on the path.
+/// The folder of the validation cases and of plot.py: $TLSPH_VALIDATION, else that of the
+/// installation this program is from (share/tlsph/validation beside its bin), else that of the
+/// source tree. Empty if there is none.
+[[nodiscard]] std::filesystem::path validation_folder();
+
+/// `plot.py KIND DATA --out FILE`; FILE is DATA with the suffix .png unless it is given. The script
+/// is $TLSPH_PLOT, else that of the validation folder; Python is /usr/bin/python3, else the first
+/// on the path.
 [[nodiscard]] Figure draw_figure(const std::string& kind, const std::filesystem::path& data);
+[[nodiscard]] Figure draw_figure(const std::string& kind, const std::filesystem::path& data,
+                                 const std::filesystem::path& file);
 
 }  // namespace tlsph

@@ -1,0 +1,145 @@
+#pragma once
+/// \file
+/// Validation: problems with known answers, the numbers that are seen beside those that must come
+/// out, and one verdict. A case is a function that runs its problem and hands over checks; the
+/// cases themselves are in the room `cases`.
+///
+///     void bar_pulse(CaseRun& run) {
+///       const CaseScene scene = run.scene("mirror", "bar.toml", {"formulation=mirror"});
+///       run.relative("Fig. 4.9", "arrival at 0.10 m, mirror [s]", 0.10 / c, arrival(scene), 2e-3);
+///     }
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tlsph/analysis/history.hpp"
+#include "tlsph/simulation/simulation.hpp"
+
+namespace tlsph {
+
+/// How an observed number is held against its reference.
+enum class Criterion {
+  relative,  ///< |observed − reference| ≤ tolerance |reference|
+  absolute,  ///< |observed − reference| ≤ tolerance
+  at_most,   ///< observed ≤ reference
+  at_least,  ///< observed ≥ reference
+  reported,  ///< shown without a verdict: what a source's own method does
+};
+
+struct Check {
+  std::string source;    ///< where it is claimed: work, figure or equation
+  std::string quantity;  ///< what is measured, of which formulation, with its unit
+  Criterion criterion = Criterion::relative;
+  double reference = 0.0;  ///< not a number for `reported` without one
+  double observed = 0.0;
+  double tolerance = 0.0;  ///< of `relative` and `absolute`
+  /// False too where `observed` is not a number.
+  [[nodiscard]] bool holds() const;
+};
+
+/// What a run of a scene left: its summary, and what its probes recorded.
+struct CaseScene {
+  Summary summary;
+  History history;                  ///< probes.csv; empty without probes
+  std::filesystem::path directory;  ///< run.h5, probes.csv, …
+  std::optional<double> failed_at;  ///< [s] when it lost its physics; `summary` is empty then
+  std::string failure;              ///< and how
+
+  /// The column `name` of the probes, "p2.pk1_xx". InputError if there is none.
+  [[nodiscard]] std::span<const double> probe(std::string_view name) const;
+};
+
+/// What a case works with: where its files are, and where its checks go.
+class CaseRun {
+ public:
+  /// `folder` holds the scenes and reference data of the case, `out` takes what it leaves.
+  CaseRun(std::filesystem::path folder, std::filesystem::path out);
+
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+  [[nodiscard]] const std::filesystem::path& out() const { return out_; }
+  [[nodiscard]] const std::vector<Check>& checks() const { return checks_; }
+
+  /// The scene of `file` (in the folder), overrides applied, not run.
+  [[nodiscard]] Scene read(const std::string& file,
+                           const std::vector<std::string>& overrides = {}) const;
+  /// Runs it on one thread with its files in out()/`label`. A numerical failure is in the result.
+  CaseScene scene(const std::string& label, const std::string& file,
+                  const std::vector<std::string>& overrides = {});
+
+  void relative(std::string source, std::string quantity, double reference, double observed,
+                double tolerance);
+  void absolute(std::string source, std::string quantity, double reference, double observed,
+                double tolerance);
+  void at_most(std::string source, std::string quantity, double limit, double observed);
+  void at_least(std::string source, std::string quantity, double limit, double observed);
+  /// Shown without a verdict, beside what the source claims if that is given.
+  void report(std::string source, std::string quantity, double observed,
+              std::optional<double> claimed = std::nullopt);
+
+  /// Writes out()/`name`.csv for the figure of the case, columns of equal length.
+  void table(const std::string& name, const std::vector<std::string>& columns,
+             const std::vector<std::vector<double>>& values) const;
+
+ private:
+  std::filesystem::path folder_, out_;
+  std::vector<Check> checks_;
+};
+
+struct Case {
+  std::string_view name;   ///< of its folder
+  std::string_view title;  ///< the problem in a few words
+  double seconds = 1.0;    ///< about how long it takes on one core; the longest start first
+  bool quick = true;       ///< part of --quick
+  void (*run)(CaseRun&) = nullptr;
+};
+
+struct CaseResult {
+  std::string name, title;
+  std::vector<Check> checks;
+  std::string failure;         ///< why it came to no end, else empty
+  std::filesystem::path file;  ///< of its figure, empty if none was drawn
+  double seconds = 0.0;
+  [[nodiscard]] bool holds() const;
+};
+
+struct ValidationTable {
+  std::string version;
+  std::vector<CaseResult> cases;  ///< in the order of the list, those that were done
+  bool interrupted = false;
+
+  /// True if every case came to its end and every check holds.
+  [[nodiscard]] bool holds() const;
+  /// What `tlsph validate` prints.
+  [[nodiscard]] std::string text() const;
+  /// The same as a page, with the figures; the numbers of two machines agree to what is shown.
+  [[nodiscard]] std::string markdown() const;
+  /// Writes validation.json and validation.md.
+  void write(const std::filesystem::path& directory) const;
+};
+
+struct ValidationOptions {
+  std::filesystem::path out;      ///< DIR/<case>/…, DIR/figures/<case>.png
+  std::vector<std::string> only;  ///< names; empty: all
+  bool quick = false;             ///< of these, those that are quick
+  int at_once = 0;                ///< cases side by side, a process each; 0: one a core
+  bool figures = true;
+  /// Called when a case ends, with the share of the work that is done.
+  std::function<void(const CaseResult&, double share)> after_case;
+  /// Called about five times a second with the names of what runs.
+  std::function<void(const std::vector<std::string>& running, double share)> progress;
+  const std::atomic<bool>* stop_requested = nullptr;
+};
+
+/// Runs cases side by side, each in a process of its own, so that one that crashes is one that
+/// failed. Scenes and figure script of a case are in `validation_folder()`/<case>. InputError for a
+/// name that is none. Must be called before this process has threads.
+[[nodiscard]] ValidationTable validate(std::span<const Case> cases,
+                                       const ValidationOptions& options);
+
+}  // namespace tlsph

@@ -1,0 +1,11 @@
+#pragma once
+/// \file
+/// The cases, a function each.
+
+#include "tlsph/studies/validation.hpp"
+
+namespace tlsph {
+
+void three_materials(CaseRun& run);
+
+}  // namespace tlsph
