@@ -7,5 +7,6 @@
 namespace tlsph {
 
 void three_materials(CaseRun& run);
+void dispersion(CaseRun& run);
 
 }  // namespace tlsph

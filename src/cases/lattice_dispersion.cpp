@@ -1,0 +1,170 @@
+// Waves on a lattice: how fast each travels, and which of them cost no energy.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "list.hpp"
+#include "stabilised_bar.hpp"
+#include "tlsph/analysis/order.hpp"
+#include "tlsph/kernels/families.hpp"
+#include "tlsph/simulation/builder.hpp"
+#include "vibration.hpp"
+#include "zero_energy_modes.hpp"
+
+namespace tlsph {
+namespace {
+
+constexpr int cells = 64;
+constexpr double pi = std::numbers::pi;
+constexpr const char* source = "Cranfield thesis, (7.33)";
+
+/// −dW/dr of each family as its source prints it, but for a factor; q = r/h, h the full support.
+double slope(std::string_view family, double q) {
+  const double s = 1 - q * q;
+  const double r = 2 * q;  // of those printed with a support of 2h
+  if (family == "lucy") return 12 * q * (1 - q) * (1 - q);
+  if (family == "cubic-spline") return r <= 1 ? 3 * r - 9. / 4 * r * r : 3. / 4 * (2 - r) * (2 - r);
+  if (family == "gaussian") return 3 * q * std::exp(-3 * q * 3 * q);
+  if (family == "mollifier") return 2 * q / (s * s) * std::exp(-1 / s);
+  if (family == "modified-mollifier")
+    return (2 * q / (s * s) * std::pow(s, 8) + 16 * q * std::pow(s, 7)) * std::exp(-1 / s);
+  if (family == "quadratic") return 3. / 4 - 3. / 8 * r;
+  return 2 * std::pow(1 - r / 2, 3) * (2 * r + 1) - 2 * std::pow(1 - r / 2, 4);
+}
+
+/// Δ times the symbol of the gradient that is exact for linear fields, Σ w_j sin jθ / Σ w_j j.
+template <class Weight>
+double symbol(double support, double theta, const Weight& weight) {
+  double sum = 0.0;
+  double moment = 0.0;
+  for (int j = 1; j < support; ++j) {
+    sum += weight(j) * std::sin(j * theta);
+    moment += weight(j) * j;
+  }
+  return sum / moment;
+}
+
+double kernel_symbol(std::string_view family, double support, double theta) {
+  return symbol(support, theta, [&](int j) { return slope(family, j / support); });
+}
+
+/// Σ W_j j sin jθ / Σ W_j j² of the fitted plane, Wendland's kernel.
+double plane_symbol(double support, double theta) {
+  return symbol(support, theta, [&](int j) {
+    const double q = j / support;
+    return j * std::pow(1 - q, 4) * (1 + 4 * q);
+  });
+}
+
+double squared(double x) {
+  return x * x;
+}
+
+/// The relative size of the worst error at the wave numbers of a bar.
+template <class Closed>
+double worst_at_centre(const Discretisation<1>& bar, const Closed& closed) {
+  const double unit = squared(bar.spacing);
+  double worst = 0.0;
+  for (int n = 1; n <= cells; ++n) {
+    const double theta = n * pi / cells;
+    const double seen = unit * squared_frequency(bar, cells / 2, theta / bar.spacing);
+    worst = std::max(worst, std::abs(seen - closed(theta)));
+  }
+  return worst;
+}
+
+/// Kernel families: the spectrum of the whole bar, and the row of one particle.
+void families(CaseRun& run) {
+  constexpr std::array supports = {1.5, 2.5, 3.5, 5.5};
+  for (const std::string_view family : kernel_names()) {
+    double whole = 0.0;
+    double row = 0.0;
+    for (const double support : supports) {
+      const std::vector<std::string> kernel = {fmt::format("kernel.family={}", family),
+                                               fmt::format("kernel.support={}", support)};
+      const auto bar = build<1>(run.read("bar.toml", kernel));
+      std::vector<double> seen = squared_frequencies<1>(bar);
+      std::vector<double> closed;
+      for (int n = 1; n < cells; ++n)
+        closed.push_back(squared(kernel_symbol(family, support, n * pi / cells) / bar.spacing));
+      std::ranges::sort(closed);
+      for (std::size_t k = 0; k < closed.size(); ++k)
+        whole = std::max(whole, std::abs(seen[k] - closed[k]) / closed.back());
+      auto settings = kernel;
+      settings.insert(settings.end(), {"formulation=variational", "kernel.correction=gradient"});
+      row = std::max(row, worst_at_centre(build<1>(run.read("bar.toml", settings)), [&](double t) {
+                       return squared(kernel_symbol(family, support, t));
+                     }));
+    }
+    run.at_most(source,
+                fmt::format("spectrum of a bar against its closed form, {}, mirror", family), 1e-10,
+                whole);
+    run.at_most(source,
+                fmt::format("(ωΔ/c)² of a row against its closed form, {}, variational", family),
+                1e-10, row);
+  }
+}
+
+struct Operator {
+  std::string name;
+  Discretisation<1> bar;
+  std::function<double(double)> closed;  // (ωΔ/c)² of θ
+  double order;
+};
+
+/// What is left of the dispersion error, and how fast it falls.
+void orders(CaseRun& run) {
+  const auto variational = [&](double support) {
+    return build<1>(run.read(
+        "bar.toml", {"formulation=variational", fmt::format("kernel.support={}", support)}));
+  };
+  std::vector<Operator> operators;
+  for (const double support : {1.5, 2.5, 5.5})
+    operators.push_back({fmt::format("variational, support {}", support), variational(support),
+                         [=](double t) { return squared(plane_symbol(support, t)); }, 2.0});
+  operators.push_back({"stress-point", build<1>(run.read("bar.toml", {"formulation=stress-point"})),
+                       [](double t) { return 4 * squared(std::sin(t / 2)); }, 2.0});
+  operators.push_back(
+      {"variational + one-sided stabiliser 4/3", variational(1.5),
+       [](double t) { return squared(std::sin(t)) + 16. / 3 * std::pow(std::sin(t / 2), 4); },
+       4.0});
+  add_one_sided_stabiliser(operators.back().bar, 4.0 / 3.0);
+
+  std::vector<std::string> columns = {"theta"};
+  std::vector<std::vector<double>> curves(1);
+  for (int n = 1; n <= cells; ++n) curves[0].push_back(n * pi / cells);
+  for (const Operator& each : operators) {
+    run.at_most(source, fmt::format("(ωΔ/c)² of a row against its closed form, {}", each.name),
+                1e-10, worst_at_centre(each.bar, each.closed));
+    std::vector<double> theta;
+    std::vector<double> error;
+    for (const double t : {pi / 8, pi / 12, pi / 16, pi / 24, pi / 32}) {
+      theta.push_back(t);
+      const double seen = squared_frequency(each.bar, cells / 2, t / each.bar.spacing);
+      error.push_back(std::abs(std::sqrt(seen) * each.bar.spacing / t - 1));
+    }
+    run.absolute(source, fmt::format("order of the phase speed in θ, {}", each.name), each.order,
+                 fit_order(theta, error).order, 0.05);
+    columns.push_back(each.name);
+    curves.emplace_back();
+    for (const double t : curves[0])
+      curves.back().push_back(
+          std::sqrt(std::max(0.0, squared_frequency(each.bar, cells / 2, t / each.bar.spacing))) *
+          each.bar.spacing);
+  }
+  run.table("curves", columns, curves);
+}
+
+}  // namespace
+
+void dispersion(CaseRun& run) {
+  families(run);
+  orders(run);
+  count_zero_energy_modes(run);
+}
+
+}  // namespace tlsph

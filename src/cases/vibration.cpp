@@ -1,0 +1,104 @@
+#include "vibration.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "tlsph/analysis/spectrum.hpp"
+#include "tlsph/dynamics/state.hpp"
+
+namespace tlsph {
+
+template <int D>
+SparseMatrix dynamical_matrix(const Discretisation<D>& disc) {
+  State<D> state = make_state<D>(disc, VectorField<D>::Zero(disc.nodes(), D),
+                                 VectorField<D>::Zero(disc.nodes(), D));
+  std::vector<Index> free;
+  for (Index dof = 0; dof < disc.inverse_mass.size(); ++dof)
+    if (disc.inverse_mass.data()[dof] > 0.0) free.push_back(dof);
+  const auto n = static_cast<Index>(free.size());
+  const auto root = [&](Index k) {
+    return std::sqrt(disc.inverse_mass.data()[free[static_cast<std::size_t>(k)]]);
+  };
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Index column = 0; column < n; ++column) {
+    double& u = state.u.data()[free[static_cast<std::size_t>(column)]];
+    u = 1.0;
+    evaluate<D>(disc, state);
+    u = 0.0;
+    for (Index row = 0; row < n; ++row) {
+      const double force = state.f.data()[free[static_cast<std::size_t>(row)]];
+      if (force != 0.0)
+        entries.emplace_back(static_cast<int>(row), static_cast<int>(column),
+                             -root(row) * force * root(column));
+    }
+  }
+  SparseMatrix result(n, n);
+  result.setFromTriplets(entries.begin(), entries.end());
+  if (!disc.adjoint) return result;
+  // Symmetric but for round-off, and better solved as such.
+  const SparseMatrix transposed = result.transpose();
+  return 0.5 * (result + transposed);
+}
+
+template <int D>
+std::vector<double> squared_frequencies(const Discretisation<D>& disc) {
+  std::vector<double> result;
+  for (const auto& value : eigenvalues(dynamical_matrix<D>(disc))) result.push_back(value.real());
+  std::ranges::sort(result);
+  return result;
+}
+
+template <int D>
+SparseMatrix torus_matrix(const Discretisation<D>& disc, int nodes) {
+  State<D> state = make_state<D>(disc, VectorField<D>::Zero(disc.nodes(), D),
+                                 VectorField<D>::Zero(disc.nodes(), D));
+  const LatticeFrame<D>& frame = *disc.particles.frame;
+  std::array<int, D> middle;
+  LatticeFrame<D> torus = frame;
+  for (std::size_t a = 0; a < D; ++a) middle[a] = frame.counts[a] / 2;
+  torus.counts.fill(nodes);
+  const int size = static_cast<int>(std::pow(nodes, D));
+  const int centre = frame.index(middle);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = 0; i < D; ++i) {
+    state.u(centre, i) = 1.0;
+    evaluate<D>(disc, state);
+    state.u(centre, i) = 0.0;
+    for (int q = 0; q < disc.nodes(); ++q)
+      for (int j = 0; j < D; ++j) {
+        if (state.f(q, j) == 0.0) continue;
+        const double value = -state.f(q, j) * disc.inverse_mass(centre, 0);
+        for (int column = 0; column < size; ++column) {
+          auto at = torus.coordinates(column);
+          const auto there = frame.coordinates(q);
+          for (std::size_t a = 0; a < D; ++a)
+            at[a] = ((at[a] + there[a] - middle[a]) % nodes + nodes) % nodes;
+          entries.emplace_back(torus.index(at) * D + j, column * D + i, value);
+        }
+      }
+  }
+  SparseMatrix result(size * D, size * D);
+  result.setFromTriplets(entries.begin(), entries.end());
+  const SparseMatrix transposed = result.transpose();
+  return 0.5 * (result + transposed);
+}
+
+double squared_frequency(const Discretisation<1>& bar, Index centre, double k) {
+  VectorField<1> wave(bar.nodes(), 1);
+  for (Index q = 0; q < bar.nodes(); ++q)
+    wave(q, 0) = std::cos(k * (bar.particles.X(q, 0) - bar.particles.X(centre, 0)));
+  State<1> state = make_state<1>(bar, wave, VectorField<1>::Zero(bar.nodes(), 1));
+  state.u = wave;  // held ends too: far from the centre they do not matter
+  evaluate<1>(bar, state);
+  return -bar.inverse_mass(centre, 0) * state.f(centre, 0);
+}
+
+template SparseMatrix dynamical_matrix<1>(const Discretisation<1>&);
+template SparseMatrix dynamical_matrix<2>(const Discretisation<2>&);
+template SparseMatrix torus_matrix<1>(const Discretisation<1>&, int);
+template SparseMatrix torus_matrix<2>(const Discretisation<2>&, int);
+template std::vector<double> squared_frequencies<1>(const Discretisation<1>&);
+template std::vector<double> squared_frequencies<2>(const Discretisation<2>&);
+
+}  // namespace tlsph
