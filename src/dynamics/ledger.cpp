@@ -38,7 +38,8 @@ void book(Ledger<D>& ledger, const Discretisation<D>& disc, const State<D>& stat
       push(load.dof[k], force);
     }
   }
-  for (const Index dof : disc.constraints.fixed) push(dof, -state.f.data()[dof]);
+  for (const auto* still : {&disc.constraints.fixed, &disc.constraints.held})
+    for (const Index dof : *still) push(dof, -state.f.data()[dof]);
   for (const auto& motion : disc.constraints.moved) {
     const double next = value(disc.constraints.curves[motion.curve], state.time + next_dt);
     const double change =

@@ -92,6 +92,7 @@ State<D> make_state(const Discretisation<D>& disc, VectorField<D> u, VectorField
     state.u.data()[dof] = 0.0;
     state.v.data()[dof] = 0.0;
   }
+  for (const Index dof : disc.constraints.held) state.v.data()[dof] = 0.0;
   for (const auto& motion : disc.constraints.moved) {
     const Curve& curve = disc.constraints.curves[motion.curve];
     state.u.data()[motion.dof] = value(curve, 0.0);

@@ -108,19 +108,23 @@ int component(const std::string& axis, int dimension, const Place& place) {
   return axis == "x" ? 0 : 1;
 }
 
-void read_fixed(const TableView& view, int dimension, BoundaryScene& boundary) {
-  const Node& node = view.require("fixed");
+/// true, a component or a list of them; none if the key is not there.
+std::vector<int> read_components(const TableView& view, std::string_view key, int dimension) {
+  std::vector<int> components;
+  if (!view.has(key)) return components;
+  const Node& node = view.require(key);
   if (const bool* all = node.flag()) {
-    for (int i = 0; *all && i < dimension; ++i) boundary.fixed.push_back(i);
+    for (int i = 0; *all && i < dimension; ++i) components.push_back(i);
   } else if (const auto* axis = node.text()) {
-    boundary.fixed.push_back(component(*axis, dimension, node.place));
+    components.push_back(component(*axis, dimension, node.place));
   } else {
     for (const Node& item : *node.list())
-      boundary.fixed.push_back(component(*item.text(), dimension, item.place));
-    std::sort(boundary.fixed.begin(), boundary.fixed.end());
-    if (std::adjacent_find(boundary.fixed.begin(), boundary.fixed.end()) != boundary.fixed.end())
+      components.push_back(component(*item.text(), dimension, item.place));
+    std::sort(components.begin(), components.end());
+    if (std::adjacent_find(components.begin(), components.end()) != components.end())
       throw InputError(node.place, "names a component twice");
   }
+  return components;
 }
 
 }  // namespace
@@ -130,7 +134,8 @@ BoundaryScene read_boundary(const TableView& view, int dimension) {
   boundary.place = view.place();
   boundary.where = view.text("where");
   boundary.symmetry = view.flag("symmetry");
-  if (view.has("fixed")) read_fixed(view, dimension, boundary);
+  boundary.fixed = read_components(view, "fixed", dimension);
+  boundary.held = read_components(view, "held", dimension);
   if (view.has("displacement")) {
     const TableView motion = view.table("displacement");
     for (const Entry& entry : *motion.node()->table())
@@ -140,11 +145,11 @@ BoundaryScene read_boundary(const TableView& view, int dimension) {
       throw InputError(motion.place(), "must say which component moves: { x = … }");
   }
   if (view.has("traction")) read_traction(view, dimension, boundary);
-  if (!view.has("fixed") && !view.has("symmetry") && !view.has("displacement") &&
-      !view.has("traction"))
+  if (!view.has("fixed") && !view.has("held") && !view.has("symmetry") &&
+      !view.has("displacement") && !view.has("traction"))
     throw InputError(
         view.place(),
-        "says nothing about its patch; give fixed, symmetry, displacement or traction");
+        "says nothing about its patch; give fixed, held, symmetry, displacement or traction");
   return boundary;
 }
 

@@ -128,6 +128,11 @@ InitialField read_initial(const TableView& initial, std::string_view key, int di
   InitialField field;
   field.place = initial.place_of(key);
   if (!initial.has(key) || initial.find(key)->text()) return field;
+  if (const Node& node = *initial.find(key); node.list()) {
+    field.kind = InitialField::Kind::linear;
+    field.constant = read_vector(node, dimension, "one per dimension");
+    return field;
+  }
   const TableView view = initial.table(key);
   if (view.has("field")) {
     for (const char* other : {"constant", "gradient"})
@@ -157,6 +162,24 @@ InitialField read_initial(const TableView& initial, std::string_view key, int di
       field.gradient[i] = read_vector((*gradient->list())[i], dimension, "one per dimension");
   }
   return field;
+}
+
+std::vector<InitialRegion> read_initial_regions(const TableView& initial, int dimension) {
+  std::vector<InitialRegion> regions;
+  for (const TableView& view : initial.tables("region")) {
+    InitialRegion region;
+    region.place = view.place();
+    const auto corners = read_box(view.require("box"), dimension);
+    region.lower = corners.lower;
+    region.upper = corners.upper;
+    if (view.has("displacement"))
+      region.displacement = read_initial(view, "displacement", dimension);
+    if (view.has("velocity")) region.velocity = read_initial(view, "velocity", dimension);
+    if (!region.displacement && !region.velocity)
+      throw InputError(region.place, "says nothing about its box; give displacement or velocity");
+    regions.push_back(std::move(region));
+  }
+  return regions;
 }
 
 OutputScene read_output(const TableView& view) {
@@ -200,6 +223,7 @@ Scene build(const TableView& root) {
   const TableView initial = root.table("initial");
   scene.displacement = read_initial(initial, "displacement", scene.dimension);
   scene.velocity = read_initial(initial, "velocity", scene.dimension);
+  scene.initial_regions = read_initial_regions(initial, scene.dimension);
   scene.output = read_output(root.table("output"));
   return scene;
 }

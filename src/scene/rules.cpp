@@ -51,6 +51,20 @@ void check_mirror(const Scene& scene) {
                          "variational or stress-point");
 }
 
+/// Formulations with ghosts know one displacement for a whole edge.
+void check_held(const Scene& scene) {
+  if (scene.formulation == Formulation::variational ||
+      scene.formulation == Formulation::stress_point)
+    return;
+  for (const auto& boundary : scene.boundaries)
+    if (!boundary.held.empty())
+      throw InputError(boundary.place,
+                       fmt::format("{} cannot keep an edge at an initial displacement that differs "
+                                   "from node to node; give displacement = {{ x = … }}, or use "
+                                   "variational or stress-point",
+                                   name_of(scene.formulation)));
+}
+
 void check_kernel(const Scene& scene, const TableView& root) {
   const TableView kernel = root.table("kernel");
   const bool adjoint = scene.formulation == Formulation::variational ||
@@ -137,6 +151,11 @@ void check_positions_in(const Scene& scene) {
       throw InputError(
           material.place,
           fmt::format("empty region: its box lies outside the body, which fills {}", whole));
+  for (const auto& region : scene.initial_regions)
+    if (apart(region.lower, region.upper))
+      throw InputError(
+          region.place,
+          fmt::format("empty region: its box lies outside the body, which fills {}", whole));
   for (const auto& tag : scene.body.tags)
     if (apart(tag.lower, tag.upper))
       throw InputError(tag.place,
@@ -146,7 +165,7 @@ void check_positions_in(const Scene& scene) {
 }
 
 /// What one entry demands of one component.
-enum class Claim { held, moved, loaded };
+enum class Claim { held, kept, moved, loaded };
 
 struct Claims {
   std::array<const BoundaryScene*, 2> by = {nullptr, nullptr};
@@ -158,6 +177,8 @@ std::string words(Claim claim, const char* component) {
   switch (claim) {
     case Claim::held:
       return fmt::format("holds {} at zero", component);
+    case Claim::kept:
+      return fmt::format("keeps {} where it starts", component);
     case Claim::moved:
       return fmt::format("moves {}", component);
     default:
@@ -186,6 +207,7 @@ void claim(Claims& claims, const BoundaryScene& entry, int component, Claim kind
 void check_formulation(const Scene& scene, const TableView& root) {
   check_ghosts(scene, root);
   check_mirror(scene);
+  check_held(scene);
   check_kernel(scene, root);
   check_placement(scene, root);
   check_stabiliser(scene, root);
@@ -204,6 +226,7 @@ void check_boundaries(const Scene& scene) {
     Claims& claims = patches[entry.where];
     const int normal = normal_axis(scene, entry.where);
     for (const int component : entry.fixed) claim(claims, entry, component, Claim::held);
+    for (const int component : entry.held) claim(claims, entry, component, Claim::kept);
     if (entry.symmetry && normal >= 0) claim(claims, entry, normal, Claim::held);
     for (const auto& motion : entry.motion) claim(claims, entry, motion.component, Claim::moved);
     for (const auto& load : entry.traction) claim(claims, entry, load.component, Claim::loaded);

@@ -143,6 +143,16 @@ void check_initial(const InitialField& field, const Scene& scene) {
 void check_exact(const Scene& scene) {
   check_initial(scene.displacement, scene);
   check_initial(scene.velocity, scene);
+  for (const InitialRegion& region : scene.initial_regions)
+    for (const auto& field : {region.displacement, region.velocity})
+      if (field) check_initial(*field, scene);
+  if (scene.exact != ExactKind::none) {
+    const Needs needs(scene);
+    needs(scene.initial_regions.empty(), "one initial state all over the body");
+    needs(std::all_of(scene.boundaries.begin(), scene.boundaries.end(),
+                      [](const auto& entry) { return entry.held.empty(); }),
+          "fixed patches in place of held ones");
+  }
   switch (scene.exact) {
     case ExactKind::none:
       return;

@@ -122,6 +122,9 @@ std::vector<Key> all_keys() {
        "a patch: left, right, top, bottom, outer, hole or the name of a tag"},
       {"boundary", "fixed", flag | text | texts, "", "", optional, "x | y",
        "held at zero displacement: true, or the components held"},
+      {"boundary", "held", flag | text | texts, "", "", optional, "x | y",
+       "kept at the displacement of t = 0, for a body that starts stretched; variational and "
+       "stress-point only"},
       {"boundary", "symmetry", flag, "", "", "false", "",
        "the displacement normal to the (straight) patch is zero"},
       {"boundary", "displacement", table, "motion", "m", optional, "", "prescribed motion"},
@@ -154,8 +157,19 @@ std::vector<Key> all_keys() {
       {"reference", "exact", text, "", "", "\"none\"", choices<ExactKind>(),
        "an exact solution: errors go to summary.json"},
 
-      {"initial", "displacement", text | table, "field", "m", "\"zero\"", "zero", "at t = 0"},
-      {"initial", "velocity", text | table, "field", "m/s", "\"zero\"", "zero", "at t = 0"},
+      {"initial", "displacement", text | numbers | table, "field", "m", "\"zero\"", "zero",
+       "at t = 0; numbers: the same everywhere"},
+      {"initial", "velocity", text | numbers | table, "field", "m/s", "\"zero\"", "zero",
+       "at t = 0; numbers: the same everywhere"},
+      {"initial", "region", tables, "initial region", "", optional, "",
+       "parts with another start, [[initial.region]]; of overlapping ones the last counts"},
+
+      {"initial region", "box", points | numbers, "", "m", required, "",
+       "[[x0, y0], [x1, y1]], in 1D [from, to]: the nodes meant, those on its rim too"},
+      {"initial region", "displacement", text | numbers | table, "field", "m", "(of [initial])",
+       "zero", "instead of that of [initial]"},
+      {"initial region", "velocity", text | numbers | table, "field", "m/s", "(of [initial])",
+       "zero", "instead of that of [initial]"},
 
       {"field", "constant", numbers, "", "m or m/s", optional, "", "the same everywhere"},
       {"field", "gradient", points, "", "1 or 1/s", optional, "",

@@ -28,10 +28,11 @@ bool is_zero(const Curve& curve) {
   return constant != nullptr && constant->amplitude == 0.0;
 }
 
-/// Which curve moves a degree of freedom, or none where it is held.
+/// What becomes of a degree of freedom; `curve` moves it.
 struct Prescription {
-  std::optional<std::size_t> curve;
-  const BoundaryScene* by = nullptr;
+  enum class Kind { fixed, held, moved } kind = Kind::fixed;
+  std::size_t curve = 0;
+  [[nodiscard]] bool operator==(const Prescription&) const = default;
 };
 
 template <int D>
@@ -39,29 +40,46 @@ class ConstraintList {
  public:
   explicit ConstraintList(const Particles<D>& particles) : particles_(particles) {}
 
+  void fix(const Patch<D>& patch, int component, const BoundaryScene& by) {
+    set(patch, component, {Prescription::Kind::fixed}, by);
+  }
   void hold(const Patch<D>& patch, int component, const BoundaryScene& by) {
-    for (const int node : patch.nodes) set(node, component, std::nullopt, by);
+    set(patch, component, {Prescription::Kind::held}, by);
   }
   void move(const Patch<D>& patch, int component, const Curve& curve, const BoundaryScene& by) {
-    if (is_zero(curve)) return hold(patch, component, by);
+    if (is_zero(curve)) return fix(patch, component, by);
     list_.curves.push_back(curve);
-    for (const int node : patch.nodes) set(node, component, list_.curves.size() - 1, by);
+    set(patch, component, {Prescription::Kind::moved, list_.curves.size() - 1}, by);
   }
   [[nodiscard]] Constraints finish() {
-    for (const auto& [dof, prescription] : prescribed_) {
-      if (prescription.curve)
-        list_.moved.push_back({dof, *prescription.curve});
-      else
-        list_.fixed.push_back(dof);
-    }
+    for (const auto& [dof, entry] : prescribed_) switch (entry.prescription.kind) {
+        case Prescription::Kind::fixed:
+          list_.fixed.push_back(dof);
+          break;
+        case Prescription::Kind::held:
+          list_.held.push_back(dof);
+          break;
+        case Prescription::Kind::moved:
+          list_.moved.push_back({dof, entry.prescription.curve});
+          break;
+      }
     return std::move(list_);
   }
 
  private:
-  void set(int node, int component, std::optional<std::size_t> curve, const BoundaryScene& by) {
+  struct Entry {
+    Prescription prescription;
+    const BoundaryScene* by = nullptr;
+  };
+
+  void set(const Patch<D>& patch, int component, const Prescription& prescription,
+           const BoundaryScene& by) {
+    for (const int node : patch.nodes) set(node, component, prescription, by);
+  }
+  void set(int node, int component, const Prescription& prescription, const BoundaryScene& by) {
     const Index dof = Index{node} * D + component;
-    const auto [entry, fresh] = prescribed_.try_emplace(dof, Prescription{curve, &by});
-    if (fresh || entry->second.curve == curve) return;
+    const auto [entry, fresh] = prescribed_.try_emplace(dof, Entry{prescription, &by});
+    if (fresh || entry->second.prescription == prescription) return;
     std::string at;
     for (int a = 0; a < D; ++a)
       at += fmt::format("{}{:.6g}", a == 0 ? "" : ", ", particles_.X(node, a));
@@ -74,7 +92,7 @@ class ConstraintList {
 
   const Particles<D>& particles_;
   Constraints list_;
-  std::map<Index, Prescription> prescribed_;
+  std::map<Index, Entry> prescribed_;
 };
 
 }  // namespace
@@ -105,13 +123,14 @@ void add_conditions(const Scene& scene, Discretisation<D>& disc) {
   ConstraintList<D> constraints(particles);
   for (const BoundaryScene& boundary : scene.boundaries) {
     const Patch<D>& patch = patch_of<D>(particles, boundary);
-    for (const int component : boundary.fixed) constraints.hold(patch, component, boundary);
+    for (const int component : boundary.fixed) constraints.fix(patch, component, boundary);
+    for (const int component : boundary.held) constraints.hold(patch, component, boundary);
     if (boundary.symmetry) {
       if (particles.placement == NodePlacement::cell_centred)
         throw InputError(boundary.place,
                          "symmetry needs particles on the boundary; use body.placement = "
                          "\"on-boundary\"");
-      constraints.hold(patch, normal_axis<D>(patch, boundary.place), boundary);
+      constraints.fix(patch, normal_axis<D>(patch, boundary.place), boundary);
     }
     for (const ComponentCurve& motion : boundary.motion)
       constraints.move(patch, motion.component, motion.curve, boundary);
@@ -130,7 +149,8 @@ void add_conditions(const Scene& scene, Discretisation<D>& disc) {
     disc.body_force[static_cast<Index>(a)] = scene.body_force[a];
 
   disc.inverse_mass = disc.mass.cwiseInverse().replicate(1, D);
-  for (const Index dof : disc.constraints.fixed) disc.inverse_mass.data()[dof] = 0.0;
+  for (const auto* still : {&disc.constraints.fixed, &disc.constraints.held})
+    for (const Index dof : *still) disc.inverse_mass.data()[dof] = 0.0;
   for (const auto& motion : disc.constraints.moved) disc.inverse_mass.data()[motion.dof] = 0.0;
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "parts.hpp"
 #include "tlsph/exact/bar_wave.hpp"
 #include "tlsph/exact/named_fields.hpp"
 #include "tlsph/exact/swinging_plate.hpp"
@@ -68,6 +69,32 @@ VectorField<D> initial_field(const Scene& scene, const InitialField& field,
   return result;
 }
 
+/// The fields of the regions in place of those of the whole body.
+template <int D>
+void start_regions(const Scene& scene, const Particles<D>& particles, InitialState<D>& initial) {
+  const double tolerance = 1e-6 * particles.spacing;
+  for (const InitialRegion& region : scene.initial_regions) {
+    const Vector<D> lower = Eigen::Map<const Vector<D>>(region.lower.data());
+    const Vector<D> upper = Eigen::Map<const Vector<D>>(region.upper.data());
+    std::vector<Index> members;
+    for (Index q = 0; q < particles.size(); ++q) {
+      const Vector<D> X = particles.X.row(q).transpose();
+      if (((X - lower).array() >= -tolerance).all() && ((upper - X).array() >= -tolerance).all())
+        members.push_back(q);
+    }
+    if (members.empty())
+      throw InputError(region.place,
+                       "the region holds no particle; move or enlarge its box, or leave it out");
+    const auto replace = [&](const std::optional<InitialField>& field, VectorField<D>& target) {
+      if (!field) return;
+      const VectorField<D> source = initial_field<D>(scene, *field, particles);
+      for (const Index q : members) target.row(q) = source.row(q);
+    };
+    replace(region.displacement, initial.displacement);
+    replace(region.velocity, initial.velocity);
+  }
+}
+
 /// The boundary entry on an end of the body that satisfies a condition, nullptr if none.
 template <class Condition>
 const BoundaryScene* boundary_on(const Scene& scene, const char* where,
@@ -130,8 +157,11 @@ ExactSolution<D> uniform_stretch_of(const Scene& scene, const Discretisation<D>&
 
 template <int D>
 InitialState<D> build_initial(const Scene& scene, const Discretisation<D>& disc) {
-  return {initial_field<D>(scene, scene.displacement, disc.particles),
-          initial_field<D>(scene, scene.velocity, disc.particles)};
+  InitialState<D> initial{initial_field<D>(scene, scene.displacement, disc.particles),
+                          initial_field<D>(scene, scene.velocity, disc.particles)};
+  parts::refuse_imbalance<D>(scene, disc, initial.displacement);
+  start_regions<D>(scene, disc.particles, initial);
+  return initial;
 }
 
 template <int D>

@@ -55,9 +55,9 @@ std::string plan_in(const Scene& scene) {
     text += operator_line("W", W.rows(), W.cols(), W.nonZeros(), "kernel, with ghosts");
     for (const std::string& line : disc.ghosts->report()) text += "  " + line + "\n";
   }
-  text +=
-      fmt::format("boundary: {} components held, {} moved, {} loads\n",
-                  disc.constraints.fixed.size(), disc.constraints.moved.size(), disc.loads.size());
+  text += fmt::format("boundary: {} components held, {} moved, {} loads\n",
+                      disc.constraints.fixed.size() + disc.constraints.held.size(),
+                      disc.constraints.moved.size(), disc.loads.size());
   text += fmt::format(
       "time step {:.4e} s (critical {:.4e} s = {:.3f} spacings/c_p), {:.0f} steps to "
       "{:.4g} s\n",

@@ -12,14 +12,16 @@
 
 namespace tlsph {
 
-/// Prescribed displacements: zero for `fixed`, curve value [m] for `moved`.
+/// Prescribed displacements: zero for `fixed`, that of t = 0 for `held`, curve value [m] for
+/// `moved`.
 struct Constraints {
   struct Motion {
     Index dof = 0;
     std::size_t curve = 0;
   };
   std::vector<Index> fixed;   ///< sorted, each once
-  std::vector<Motion> moved;  ///< sorted, disjoint from `fixed`
+  std::vector<Index> held;    ///< sorted, disjoint from `fixed`
+  std::vector<Motion> moved;  ///< sorted, disjoint from both
   std::vector<Curve> curves;
 };
 

@@ -82,6 +82,7 @@ struct ComponentCurve {
 struct BoundaryScene {
   std::string where;
   std::vector<int> fixed;                // components held at zero
+  std::vector<int> held;                 // components that stay where they are at t = 0
   bool symmetry = false;                 // the component normal to the (axis-aligned) patch is zero
   std::vector<ComponentCurve> motion;    // prescribed displacement [m]
   std::optional<Curve> normal_traction;  // tension positive [Pa], reference area
@@ -123,6 +124,13 @@ struct InitialField {
   Place place;
 };
 
+/// [[initial.region]]: what the nodes in a box start with instead; an empty field leaves it.
+struct InitialRegion {
+  std::vector<double> lower, upper;
+  std::optional<InitialField> displacement, velocity;
+  Place place;
+};
+
 struct OutputScene {
   int frames = 50;           // full fields, evenly in time, beside the initial one; 0 = none
   int probe_every = 1;       // steps between rows of probes.csv
@@ -152,6 +160,7 @@ struct Scene {
   ExactKind exact = ExactKind::none;
   Place exact_place;
   InitialField displacement, velocity;
+  std::vector<InitialRegion> initial_regions;  // of overlapping ones the last counts
   OutputScene output;
 };
 

@@ -1,11 +1,13 @@
 /// What a scene becomes: materials where it says, masses, strengths of stabilisers.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "tlsph/core/error.hpp"
+#include "tlsph/dynamics/state.hpp"
 #include "tlsph/scene/reader.hpp"
 #include "tlsph/simulation/builder.hpp"
 #include "tlsph/simulation/simulation.hpp"
@@ -93,6 +95,102 @@ TEST(BuildConditions, HoldsACornerOnceThatTwoEdgesHold) {
                            "{where=\"bottom\", fixed=true}]"}));
   EXPECT_EQ(disc.constraints.fixed.size(), 2U * (11 + 21 - 1));
   for (const Index dof : disc.constraints.fixed) EXPECT_EQ(disc.inverse_mass.data()[dof], 0.0);
+}
+
+/// [[initial.region]] replaces what [initial] says; of overlapping boxes the last counts, and a
+/// field that a region does not name stays.
+TEST(BuildInitial, GivesRegionsTheirOwnStart) {
+  const auto scene = scene_with(
+      {"initial.displacement={gradient=[[0.1, 0.0], [0.0, 0.0]]}", "initial.velocity=[0.0, 2.0]",
+       "initial.region=[{box=[[0.1, 0.0], [0.3, 0.2]], velocity=[1.0, 0.0]}, "
+       "{box=[[0.2, 0.0], [0.4, 0.1]], displacement={constant=[0.0, 0.5]}, velocity=[3.0, 0.0]}]"});
+  const auto disc = build<2>(scene);
+
+  const auto initial = build_initial<2>(scene, disc);
+
+  for (Index q = 0; q < disc.nodes(); ++q) {
+    const Vector<2> X = disc.particles.X.row(q).transpose();
+    const bool last = X[0] > 0.19 && X[1] < 0.11;
+    const bool first = !last && X[0] > 0.09 && X[0] < 0.31;
+    const Vector<2> u = last ? Vector<2>(0.0, 0.5) : Vector<2>(0.1 * X[0], 0.0);
+    const Vector<2> v = last ? Vector<2>(3.0, 0.0) : first ? Vector<2>(1.0, 0.0) : Vector<2>(0, 2);
+    ASSERT_EQ(Vector<2>(initial.displacement.row(q).transpose()), u) << X;
+    ASSERT_EQ(Vector<2>(initial.velocity.row(q).transpose()), v) << X;
+  }
+}
+
+TEST(BuildInitial, RefusesARegionWithoutParticles) {
+  const auto scene =
+      scene_with({"initial.region=[{box=[[0.201, 0.0], [0.202, 0.2]], velocity=[1.0, 0.0]}]"});
+  const auto disc = build<2>(scene);
+  EXPECT_THROW((void)build_initial<2>(scene, disc), InputError);
+}
+
+const std::string stretched = "initial.displacement={gradient=[[0.05, 0.01], [0.01, 0.02]]}";
+
+/// Held particles stay where the initial displacement puts them, for good.
+TEST(BuildConditions, HoldsParticlesAtTheirInitialDisplacement) {
+  const auto scene = scene_with(
+      {stretched, "boundary=[{where=\"outer\", held=true}]", "initial.velocity=[1.0, 1.0]"});
+  const auto disc = build<2>(scene);
+  auto initial = build_initial<2>(scene, disc);
+  const VectorField<2> u = initial.displacement;
+  auto state = make_state<2>(disc, initial.displacement, initial.velocity);
+
+  evaluate<2>(disc, state);
+  start<2>(disc, state, 1e-5);
+  for (int step = 0; step < 3; ++step) {
+    advance<2>(disc, state, 1e-5, state.time + 1e-5);
+    evaluate<2>(disc, state);
+  }
+
+  EXPECT_EQ(disc.constraints.held.size(), 2U * 60);
+  for (const Index dof : disc.constraints.held) {
+    EXPECT_EQ(state.u.data()[dof], u.data()[dof]);
+    EXPECT_EQ(state.v.data()[dof], 0.0);
+  }
+  EXPECT_NE(state.u(12, 0), u(12, 0));
+}
+
+std::string rim(int layers) {
+  const double t = 0.02 * layers + 1e-6;
+  return fmt::format(
+      "body.tags=[{{name=\"rim1\", box=[[0.0, 0.0], [{0}, 0.2]]}}, "
+      "{{name=\"rim2\", box=[[{1}, 0.0], [0.4, 0.2]]}}, "
+      "{{name=\"rim3\", box=[[0.0, 0.0], [0.4, {0}]]}}, "
+      "{{name=\"rim4\", box=[[0.0, {2}], [0.4, 0.2]]}}]",
+      t, 0.4 - t, 0.2 - t);
+}
+
+const std::string hold_rim =
+    "boundary=[{where=\"rim1\", held=true}, {where=\"rim2\", held=true}, "
+    "{where=\"rim3\", held=true}, {where=\"rim4\", held=true}]";
+
+/// A uniform stress that the supports balance must not set the body moving.
+TEST(BuildInitial, RefusesAPrestressThatTheOperatorsDoNotBalance) {
+  const auto start_of = [](const std::vector<std::string>& overrides) {
+    const auto scene = scene_with(overrides);
+    (void)build_initial<2>(scene, build<2>(scene));
+  };
+  const std::string variational = "formulation=variational";
+  const std::string outer = "boundary=[{where=\"outer\", held=true}]";
+
+  EXPECT_NO_THROW(start_of({stretched, outer}));
+  EXPECT_THROW(start_of({stretched, outer, variational}), InputError);
+  EXPECT_THROW(start_of({stretched, rim(1), hold_rim, variational}), InputError);
+  EXPECT_NO_THROW(start_of({stretched, rim(4), hold_rim, variational}));
+  // Let go at one side, the body is meant to move.
+  EXPECT_NO_THROW(start_of({stretched, "boundary=[{where=\"left\", held=true}]", variational}));
+  // Moved supports and a small region beside equilibrium do not hide it.
+  const std::string bare =
+      "boundary=[{where=\"left\", fixed=\"x\"}, "
+      "{where=\"right\", displacement={x=0.02}}, "
+      "{where=\"bottom\", fixed=\"y\"}, {where=\"top\", fixed=\"y\"}]";
+  const std::string along = "initial.displacement={gradient=[[0.05, 0.0], [0.0, 0.0]]}";
+  const std::string touch =
+      "initial.region=[{box=[[0.2, 0.1], [0.2, 0.1]], displacement=[0.0, 0.0]}]";
+  EXPECT_THROW(start_of({along, bare, touch, variational}), InputError);
+  EXPECT_NO_THROW(start_of({along, bare, touch}));
 }
 
 /// A normal traction on an edge is its length times the pressure in all.
