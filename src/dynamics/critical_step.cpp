@@ -36,7 +36,7 @@ class Linearised {
     y_ *= k;
     if (c != 0.0) {
       x_ *= c;
-      subtract_product<D>(disc_.viscosity, x_, y_);
+      subtract_differences<D>(disc_.viscosity, x_, y_);
     }
     y = -Eigen::Map<const Eigen::VectorXd>(root_.data(), size())
              .cwiseProduct(Eigen::Map<const Eigen::VectorXd>(y_.data(), size()));
@@ -72,7 +72,7 @@ class Linearised {
           region.law);
     for (const SignalTerm& term : disc_.stress_values) H_.data()[term.slot] = 0.0;
     disc_.divergence.divergence(H_, y_);
-    if (disc_.stiffness.nonZeros() > 0) subtract_product<D>(disc_.stiffness, x_, y_);
+    if (disc_.stiffness.nonZeros() > 0) subtract_differences<D>(disc_.stiffness, x_, y_);
   }
 
   const Discretisation<D>& disc_;

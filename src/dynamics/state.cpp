@@ -133,9 +133,9 @@ void evaluate(const Discretisation<D>& disc, State<D>& state) {
         state.f.data()[load.dof[k]] += pressure * load.weight[k];
     }
   if (disc.has_body_force()) state.f.noalias() += disc.mass * disc.body_force.transpose();
-  if (disc.stiffness.nonZeros() > 0) subtract_product<D>(disc.stiffness, state.u, state.f);
+  if (disc.stiffness.nonZeros() > 0) subtract_differences<D>(disc.stiffness, state.u, state.f);
   if (disc.viscosity.nonZeros() > 0) {
-    multiply<D>(disc.viscosity, state.v, state.viscous);
+    multiply_differences<D>(disc.viscosity, state.v, state.viscous);
     state.f -= state.viscous;
   }
 }

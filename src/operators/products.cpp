@@ -7,8 +7,8 @@
 namespace tlsph {
 namespace {
 
-/// y = alpha y + beta A x for alpha, beta known at compile time.
-template <int D, int Alpha, int Beta>
+/// y_p = alpha y_p + beta Σ_q A_pq (x_q − base x_p) for alpha, beta and base known at compile time.
+template <int D, int Alpha, int Beta, int Base>
 void combine(const SparseMatrix& A, const VectorField<D>& x, VectorField<D>& y) {
   assert(A.isCompressed() && A.cols() == x.rows() && A.rows() == y.rows());
   const int* start = A.outerIndexPtr();
@@ -18,8 +18,11 @@ void combine(const SparseMatrix& A, const VectorField<D>& x, VectorField<D>& y) 
   double* out = y.data();
   for_rows(A.rows(), [=](Index p) {
     double sum[D] = {};
-    for (int k = start[p]; k < start[p + 1]; ++k)
-      for (int i = 0; i < D; ++i) sum[i] += value[k] * in[static_cast<Index>(column[k]) * D + i];
+    for (int k = start[p]; k < start[p + 1]; ++k) {
+      const double* other = in + static_cast<Index>(column[k]) * D;
+      for (int i = 0; i < D; ++i)
+        sum[i] += value[k] * (Base == 0 ? other[i] : other[i] - in[p * D + i]);
+    }
     for (int i = 0; i < D; ++i) {
       double& slot = out[p * D + i];
       slot = (Alpha == 0 ? 0.0 : slot) + Beta * sum[i];
@@ -31,17 +34,24 @@ void combine(const SparseMatrix& A, const VectorField<D>& x, VectorField<D>& y) 
 
 template <int D>
 void multiply(const SparseMatrix& A, const VectorField<D>& x, VectorField<D>& y) {
-  combine<D, 0, 1>(A, x, y);
+  combine<D, 0, 1, 0>(A, x, y);
 }
 
 template <int D>
-void subtract_product(const SparseMatrix& A, const VectorField<D>& x, VectorField<D>& y) {
-  combine<D, 1, -1>(A, x, y);
+void multiply_differences(const SparseMatrix& A, const VectorField<D>& x, VectorField<D>& y) {
+  combine<D, 0, 1, 1>(A, x, y);
+}
+
+template <int D>
+void subtract_differences(const SparseMatrix& A, const VectorField<D>& x, VectorField<D>& y) {
+  combine<D, 1, -1, 1>(A, x, y);
 }
 
 template void multiply<1>(const SparseMatrix&, const VectorField<1>&, VectorField<1>&);
 template void multiply<2>(const SparseMatrix&, const VectorField<2>&, VectorField<2>&);
-template void subtract_product<1>(const SparseMatrix&, const VectorField<1>&, VectorField<1>&);
-template void subtract_product<2>(const SparseMatrix&, const VectorField<2>&, VectorField<2>&);
+template void multiply_differences<1>(const SparseMatrix&, const VectorField<1>&, VectorField<1>&);
+template void multiply_differences<2>(const SparseMatrix&, const VectorField<2>&, VectorField<2>&);
+template void subtract_differences<1>(const SparseMatrix&, const VectorField<1>&, VectorField<1>&);
+template void subtract_differences<2>(const SparseMatrix&, const VectorField<2>&, VectorField<2>&);
 
 }  // namespace tlsph

@@ -11,8 +11,14 @@ namespace tlsph {
 template <int D>
 void multiply(const SparseMatrix& A, const VectorField<D>& x, VectorField<D>& y);
 
-/// y −= A x.
+/// y_p = Σ_q A_pq (x_q − x_p): A x where the rows of A sum to zero, as those of stabilisers do,
+/// with rounding errors of the size of the differences. A body that has travelled far keeps its
+/// momentum.
 template <int D>
-void subtract_product(const SparseMatrix& A, const VectorField<D>& x, VectorField<D>& y);
+void multiply_differences(const SparseMatrix& A, const VectorField<D>& x, VectorField<D>& y);
+
+/// y −= the same.
+template <int D>
+void subtract_differences(const SparseMatrix& A, const VectorField<D>& x, VectorField<D>& y);
 
 }  // namespace tlsph

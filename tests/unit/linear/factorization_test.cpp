@@ -198,9 +198,10 @@ TEST(Lu, LeavesNoResidualWithAndWithoutRefinement) {
   const SparseMatrix A = sparse(random_matrix(40, 40, 3));
   const Eigen::VectorXd b = random_matrix(40, 1, 4);
 
-  for (const int steps : {0, 2}) {
-    EXPECT_LT(relative_residual(A, Lu(A, steps).solve(b), b), 1e-12) << steps;
-  }
+  // Threshold pivoting lets entries grow, by how much is the BLAS's order of sums; refinement mends
+  // it.
+  EXPECT_LT(relative_residual(A, Lu(A, 0).solve(b), b), 1e-10);
+  EXPECT_LT(relative_residual(A, Lu(A, 2).solve(b), b), 1e-13);
 }
 
 TEST(Lu, EstimatesTheConditionOfAnUnsymmetricMatrix) {
