@@ -11,6 +11,9 @@ std::span<const Case> all_cases() {
   static constexpr std::array list = {
       Case{"three_materials", "wave speeds of three materials", 1.0, true, three_materials},
       Case{"dispersion", "waves on a lattice and modes without energy", 1.0, true, dispersion},
+      Case{"swinging_plate", "a plate that swings without changing its volume", 3.0, true,
+           swinging_plate},
+      Case{"satellite", "a free body spins", 30.0, false, satellite},
   };
   return list;
 }

@@ -8,5 +8,7 @@ namespace tlsph {
 
 void three_materials(CaseRun& run);
 void dispersion(CaseRun& run);
+void swinging_plate(CaseRun& run);
+void satellite(CaseRun& run);
 
 }  // namespace tlsph

@@ -44,7 +44,9 @@ std::string case_line(const CaseResult& result) {
   const auto failed =
       std::ranges::count_if(result.checks, [](const Check& c) { return !c.holds(); });
   if (failed > 0) return text + fmt::format("{} of {} checks fail\n", failed, result.checks.size());
-  return text + fmt::format("{} numbers, all hold\n", result.checks.size());
+  return text +
+         fmt::format("{} numbers, all hold{}\n", result.checks.size(),
+                     result.undrawn.empty() ? "" : "; no figure, draw it with: " + result.undrawn);
 }
 
 }  // namespace tlsph

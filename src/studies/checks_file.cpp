@@ -43,6 +43,7 @@ Json checks_json(const CaseResult& result) {
   json.set("holds", result.holds());
   json.set("seconds", result.seconds);
   json.set("figure", result.file.string());
+  json.set("undrawn", result.undrawn);
   json.set("failure", result.failure);
   json.make_list("checks");
   for (const Check& check : result.checks) {
@@ -66,6 +67,7 @@ CaseResult read_checks(const Json& json) {
   result.title = json.text("title");
   result.seconds = json.number("seconds");
   result.file = json.text("figure");
+  result.undrawn = json.text("undrawn");
   result.failure = json.text("failure");
   for (const Json& row : json.list("checks")) result.checks.push_back(read_check(row));
   return result;

@@ -62,7 +62,10 @@ CaseResult result_of(const Case& entry, const fs::path& folder, const Validation
     if (options.figures && fs::exists(folder / entry.name / "figure.py")) {
       const fs::path target = options.out / "figures" / fmt::format("{}.png", entry.name);
       const Figure figure = draw_figure("case", run.out(), target);
-      if (figure.drawn) result.file = figure.file;
+      if (figure.drawn)
+        result.file = figure.file;
+      else
+        result.undrawn = figure.command;
     }
   } catch (const std::exception& error) {
     result.failure = error.what();

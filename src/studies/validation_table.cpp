@@ -145,9 +145,13 @@ std::string ValidationTable::text() const {
 
 std::string ValidationTable::markdown() const {
   std::string text =
-      "# Validation\n\nProblems of the literature, what must come out, and what does. This page is "
-      "what `tlsph validate`\nwrites as `validation.md`; each case is explained in its "
-      "folder.\n\n" +
+      "# Validation\n\n"
+      "Problems of the literature: what must come out, and what does. This page is what\n\n"
+      "    ./tlsph validate\n\n"
+      "writes as `out/validation/validation.md`. A folder a case explains the problem and what its "
+      "source claims;\n[plotting](plotting) says how the figures are drawn. Numbers that are "
+      "reported without a verdict are what a\nsource's own method does, beside what the source "
+      "says of it.\n\n" +
       verdict(*this) + "\n" + row(heads) + "|---|---|---|---:|---:|---|---|\n";
   std::string last;
   for (Line line : lines_of(*this)) {

@@ -104,6 +104,7 @@ struct CaseResult {
   std::vector<Check> checks;
   std::string failure;         ///< why it came to no end, else empty
   std::filesystem::path file;  ///< of its figure, empty if none was drawn
+  std::string undrawn;         ///< what would draw it, where that did not work
   double seconds = 0.0;
   [[nodiscard]] bool holds() const;
 };
