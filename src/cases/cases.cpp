@@ -10,6 +10,8 @@ std::span<const Case> all_cases() {
   // name (the folder), title, seconds on one core, quick, function
   static constexpr std::array list = {
       Case{"three_materials", "wave speeds of three materials", 1.0, true, three_materials},
+      Case{"corrections", "corrected gradients, and which pairs keep momentum", 3.0, true,
+           corrections},
       Case{"dispersion", "waves on a lattice and modes without energy", 1.0, true, dispersion},
       Case{"swinging_plate", "a plate that swings without changing its volume", 3.0, true,
            swinging_plate},

@@ -7,6 +7,7 @@
 namespace tlsph {
 
 void three_materials(CaseRun& run);
+void corrections(CaseRun& run);
 void dispersion(CaseRun& run);
 void swinging_plate(CaseRun& run);
 void satellite(CaseRun& run);
