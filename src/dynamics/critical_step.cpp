@@ -119,14 +119,13 @@ double damped_step(Linearised<D>& linearised, double undamped) {
 }  // namespace
 
 template <int D>
-CriticalStep critical_step(const Discretisation<D>& disc, const State<D>& state) {
+std::optional<CriticalStep> critical_step_if_any(const Discretisation<D>& disc,
+                                                 const State<D>& state) {
   Linearised<D> linearised(disc, state);
   CriticalStep result;
   if (disc.adjoint) {
     const double omega_squared = largest(linearised, 1.0, 0.0);
-    if (!(omega_squared > 0.0))
-      throw NumericalError("the body has no stiffness: no critical time step exists", state.time,
-                           -1);
+    if (!(omega_squared > 0.0)) return std::nullopt;
     result.dt = 2.0 / std::sqrt(omega_squared);
     if (disc.viscosity.nonZeros() > 0) result.dt = damped_step(linearised, result.dt);
   } else {
@@ -147,6 +146,16 @@ CriticalStep critical_step(const Discretisation<D>& disc, const State<D>& state)
   return result;
 }
 
+template <int D>
+CriticalStep critical_step(const Discretisation<D>& disc, const State<D>& state) {
+  if (const auto result = critical_step_if_any<D>(disc, state)) return *result;
+  throw NumericalError("the body has no stiffness: no critical time step exists", state.time, -1);
+}
+
+template std::optional<CriticalStep> critical_step_if_any<1>(const Discretisation<1>&,
+                                                             const State<1>&);
+template std::optional<CriticalStep> critical_step_if_any<2>(const Discretisation<2>&,
+                                                             const State<2>&);
 template CriticalStep critical_step<1>(const Discretisation<1>&, const State<1>&);
 template CriticalStep critical_step<2>(const Discretisation<2>&, const State<2>&);
 

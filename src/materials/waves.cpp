@@ -51,7 +51,47 @@ double smallest_between(const Tangent<2>& A, double lower, double upper) {
   return std::min(at_left, at_right);
 }
 
+/// α cos²θ + β cosθ sinθ + γ sin²θ, a component of the acoustic tensor.
+struct Quadratic {
+  double alpha, beta, gamma;
+};
+
+Quadratic acoustic_component(const Tangent<2>& A, int i, int j) {
+  return {A(2 * i, 2 * j), A(2 * i, 2 * j + 1) + A(2 * i + 1, 2 * j), A(2 * i + 1, 2 * j + 1)};
+}
+
+/// True only if det Q(N) > 0 for every N, by a sum of squares: det Q is p₀ + p₁t + … + p₄t⁴ times
+/// cos⁴θ, t = tan θ, and is positive if the form of (1, t, t²) with the matrix
+/// [p₀ p₁/2 0; p₁/2 p₂ p₃/2; 0 p₃/2 p₄] is. For an isotropic tangent, and for Neo-Hookean at any
+/// deformation, where det Q is a product of two quadratics and one of them is |N|², the two are
+/// the same.
+bool certainly_positive_determinant(const Quadratic& a, const Quadratic& b, const Quadratic& c) {
+  const double p0 = a.alpha * b.alpha - c.alpha * c.alpha;
+  const double p1 = a.alpha * b.beta + a.beta * b.alpha - 2 * c.alpha * c.beta;
+  const double p2 = a.alpha * b.gamma + a.beta * b.beta + a.gamma * b.alpha -
+                    2 * c.alpha * c.gamma - c.beta * c.beta;
+  const double p3 = a.beta * b.gamma + a.gamma * b.beta - 2 * c.beta * c.gamma;
+  const double p4 = a.gamma * b.gamma - c.gamma * c.gamma;
+  const double minor = p0 * p2 - 0.25 * p1 * p1;
+  return p0 > 0 && minor > 0 && p4 * minor > 0.25 * p0 * p3 * p3;
+}
+
 }  // namespace
+
+template <>
+bool is_hyperbolic<1>(const Tangent<1>& A) {
+  return A(0, 0) > 0;
+}
+
+/// Q(N) is positive for every N if it is for one and its determinant for all.
+template <>
+bool is_hyperbolic<2>(const Tangent<2>& A) {
+  const Quadratic q00 = acoustic_component(A, 0, 0);
+  const Quadratic q11 = acoustic_component(A, 1, 1);
+  const Quadratic q01 = acoustic_component(A, 0, 1);
+  if (q00.alpha > 0 && certainly_positive_determinant(q00, q11, q01)) return true;
+  return smallest_acoustic_eigenvalue<2>(A) > 0;
+}
 
 template <>
 double smallest_acoustic_eigenvalue<1>(const Tangent<1>& A) {

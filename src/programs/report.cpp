@@ -20,6 +20,7 @@ std::string run_report(const Summary& s, const std::filesystem::path& out) {
         "errors against the exact solution: displacement {:.3e}, velocity {:.3e}, "
         "stress {:.3e}\n",
         s.errors->displacement, s.errors->velocity, s.errors->stress);
+  if (s.hyperbolicity_lost) text += s.hyperbolicity_lost->text() + '\n';
   if (s.interrupted)
     text += fmt::format("interrupted; the state is saved, --resume goes on from here\n");
   return text + fmt::format("results in {}\n", out.string());

@@ -146,7 +146,8 @@ std::vector<Key> all_keys() {
       {"curve", "value", numbers, "", "", optional, "", "table: the values then"},
 
       {"time", "end", number, "", "s", required, "> 0", "the last step lands on it"},
-      {"time", "safety", number, "", "", "0.9", "(0, 1]", "share of the computed critical step"},
+      {"time", "safety", number, "", "", "0.9", "(0, 1]",
+       "share of the computed critical step, which follows large strains below its first value"},
       {"time", "step", number, "", "s", "(safety x critical step)", "> 0", "instead of safety"},
 
       {"probe", "name", text, "", "", "(p1, p2, …)", "", "its columns are name.quantity"},

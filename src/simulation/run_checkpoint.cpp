@@ -57,11 +57,21 @@ void RunLoop<D>::save_checkpoint() {
   values.push_back(momentum_drift_);
   values.push_back(angular_drift_);
   view.arrays["numbers"] = values;
+  std::vector<double> lost;
+  if (hyperbolicity_lost_) {
+    lost = {hyperbolicity_lost_->time, hyperbolicity_lost_->acoustic_eigenvalue};
+    lost.insert(lost.end(), hyperbolicity_lost_->position.begin(),
+                hyperbolicity_lost_->position.end());
+    lost.insert(lost.end(), hyperbolicity_lost_->stretches.begin(),
+                hyperbolicity_lost_->stretches.end());
+    view.arrays["hyperbolicity_lost"] = lost;
+  }
   view.integers = {{"step", state_.step},
                    {"clock_first", clock_.first},
                    {"clock_count", clock_.count},
                    {"books_every", books_every_},
                    {"next_frame", next_frame_},
+                   {"hyperbolicity_lost_at", hyperbolicity_lost_ ? hyperbolicity_lost_->point : -1},
                    {"frames", static_cast<std::int64_t>(counts.frames)},
                    {"series", static_cast<std::int64_t>(counts.series)},
                    {"probes", static_cast<std::int64_t>(counts.probes)},
@@ -101,6 +111,11 @@ void RunLoop<D>::resume_from(const Checkpoint& checkpoint) {
   clock_.count = checkpoint.integer("clock_count");
   books_every_ = checkpoint.integer("books_every");
   next_frame_ = checkpoint.integer("next_frame");
+  if (const Index point = checkpoint.integer("hyperbolicity_lost_at"); point >= 0) {
+    const std::vector<double>& lost = checkpoint.array("hyperbolicity_lost", 2 + 2 * D);
+    hyperbolicity_lost_ = {
+        lost[0], point, {&lost[2], &lost[2] + D}, {&lost[2] + D, &lost[2] + 2 * D}, lost[1]};
+  }
   const OutputCounts counts{static_cast<std::size_t>(checkpoint.integer("frames")),
                             static_cast<std::size_t>(checkpoint.integer("series")),
                             static_cast<std::size_t>(checkpoint.integer("probes"))};

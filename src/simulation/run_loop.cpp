@@ -6,25 +6,15 @@
 #include <cmath>
 
 #include "stopwatch.hpp"
+#include "tlsph/dynamics/hyperbolicity.hpp"
 #include "tlsph/observe/errors.hpp"
 #include "tlsph/scene/names.hpp"
 
 namespace tlsph {
 namespace {
 
-/// Steps between looks at the deformation, for laws whose stiffness follows it.
-constexpr long watch_every = 50;
-
-/// Change of a strain extreme that calls for a new estimate of the step: absolute and relative
-/// part.
-constexpr double strain_change = 0.03;
-constexpr double strain_change_relative = 0.1;
-
 /// Rows of the energy ledger a run has by default.
 constexpr long default_book_rows = 200;
-
-/// A step this many times smaller than the first says that the run will not end.
-constexpr double collapse = 1e-4;
 
 template <int D>
 std::vector<ProbeRequest<D>> probe_requests(const Scene& scene) {
@@ -35,21 +25,6 @@ std::vector<ProbeRequest<D>> probe_requests(const Scene& scene) {
     requests.push_back(std::move(request));
   }
   return requests;
-}
-
-template <int D>
-StrainExtremes strain_extremes(const TensorField<D>& field) {
-  StrainExtremes extremes{};
-  for (Index s = 0; s < field.rows(); ++s) {
-    const Tensor<D> H = tensor_at<D>(field, s);
-    const Tensor<D> E = 0.5 * (H + H.transpose() + H.transpose() * H);
-    for (int i = 0; i < D; ++i) {
-      extremes[0] = std::min(extremes[0], E(i, i));
-      extremes[1] = std::max(extremes[1], E(i, i));
-      for (int j = 0; j < i; ++j) extremes[2] = std::max(extremes[2], std::abs(E(i, j)));
-    }
-  }
-  return extremes;
 }
 
 }  // namespace
@@ -68,7 +43,7 @@ void RunLoop<D>::run(Summary& summary) {
   InitialState<D> initial = build_initial<D>(scene_, disc_);
   state_ = make_state<D>(disc_, std::move(initial.displacement), std::move(initial.velocity));
   evaluate<D>(disc_, state_);
-  choose_step(&summary);
+  choose_step(summary);
   books_every_ = scene_.output.energy_every > 0 ? scene_.output.energy_every
                                                 : std::max(1L, clock_.count / default_book_rows);
   if (options_.resume) {
@@ -113,50 +88,16 @@ void RunLoop<D>::run(Summary& summary) {
     }
   } catch (const NumericalError& failure) {
     summary.failure = failure.what();
+    if (hyperbolicity_lost_) summary.failure += "; before that, " + hyperbolicity_lost_->text();
     keep_last_good_state();
     close_books();
-    throw;
+    throw NumericalError(summary.failure, failure.time(), failure.particle());
   }
   if (exact_.displacement && !summary.interrupted) {
     const RelativeErrors errors = errors_against<D>(exact_, disc_, state_, clock_.dt);
     summary.errors = FieldErrors{errors.displacement, errors.velocity, errors.stress};
   }
   close_books();
-}
-
-template <int D>
-void RunLoop<D>::choose_step(Summary* summary) {
-  critical_ = critical_step<D>(disc_, state_);
-  const double wanted = scene_.time.step.value_or(scene_.time.safety * critical_.dt);
-  if (!std::isfinite(wanted) || wanted <= 0.0)
-    throw NumericalError("the critical time step is not a positive number", state_.time, -1);
-  const double previous = clock_.dt;
-  clock_ = Clock::from(state_.time, state_.step, scene_.time.end, wanted);
-  if (summary != nullptr) {
-    summary->dt = clock_.dt;
-    summary->dt_critical = critical_.dt;
-    summary->dt_critical_scaled = critical_.scaled;
-    summary->growth_rate = critical_.growth;
-  } else if (clock_.dt < collapse * previous) {
-    throw NumericalError(
-        fmt::format("the critical time step collapsed to {:.3e} s at t = {:.6e} s: "
-                    "the body is being crushed",
-                    critical_.dt, state_.time),
-        state_.time, -1);
-  }
-  estimated_at_ = strain_extremes<D>(state_.H);
-}
-
-template <int D>
-void RunLoop<D>::follow_deformation() {
-  if (state_.step % watch_every != 0 || state_.step == clock_.last() || state_.step == 0) return;
-  if (scene_.time.step || disc_.linear()) return;
-  const StrainExtremes now = strain_extremes<D>(state_.H);
-  bool changed = false;
-  for (std::size_t k = 0; k < now.size(); ++k)
-    changed = changed || std::abs(now[k] - estimated_at_[k]) >
-                             strain_change + strain_change_relative * std::abs(estimated_at_[k]);
-  if (changed) choose_step(nullptr);
 }
 
 template <int D>
@@ -168,7 +109,10 @@ void RunLoop<D>::step() {
 template <int D>
 void RunLoop<D>::observe() {
   const bool last = state_.step == clock_.last();
-  if (state_.step % books_every_ == 0 || last) sample_books();
+  if (state_.step % books_every_ == 0 || last) {
+    sample_books();
+    watch_hyperbolicity();
+  }
   report_progress();
   if (!output_) return;
   const bool probes_due =
@@ -222,6 +166,21 @@ void RunLoop<D>::sample_books() {
 }
 
 template <int D>
+void RunLoop<D>::watch_hyperbolicity() {
+  if (hyperbolicity_lost_ || disc_.linear()) return;
+  const Stopwatch watch;
+  const auto worst = most_unstable_point<D>(disc_, state_);
+  output_seconds_ += watch.seconds();
+  if (!worst) return;
+  const auto X = disc_.points.X.row(worst->point);
+  hyperbolicity_lost_ = {state_.time,
+                         worst->point,
+                         {X.begin(), X.end()},
+                         {worst->stretches.begin(), worst->stretches.end()},
+                         worst->acoustic_eigenvalue};
+}
+
+template <int D>
 void RunLoop<D>::keep_last_good_state() {
   if (!output_ || state_.step == 0) return;
   // One step back: u_n = u_{n−1} + Δt v_{n−½}. Frames written at the lost state itself do not
@@ -255,6 +214,7 @@ void RunLoop<D>::finish(Summary& summary) {
     output_->flush();
     summary.wall_output += watch.seconds();
   }
+  summary.hyperbolicity_lost = hyperbolicity_lost_;
   summary.steps = state_.step;
   summary.end_time = state_.time;
   summary.energy = {now.kinetic, now.elastic, ledger_.external_work + now.gravity,

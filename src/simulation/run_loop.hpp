@@ -30,10 +30,13 @@ class RunLoop {
   void begin();
   void resume_from(const Checkpoint& checkpoint);
   void save_checkpoint();
-  void choose_step(Summary* summary);
+  void choose_step(Summary& summary);
+  void adapt_step();
+  void set_step(double wanted);
   void follow_deformation();
   void observe();
   void sample_books();
+  void watch_hyperbolicity();
   void step();
   void keep_last_good_state();
   [[nodiscard]] bool checkpoint_due() const;
@@ -49,6 +52,7 @@ class RunLoop {
   Clock clock_;
   Ledger<D> ledger_;
   CriticalStep critical_;
+  double longest_ = 0.0;  ///< step the run started with [s]; it takes none that is longer
   StrainExtremes estimated_at_{};
   std::optional<RunOutput<D>> output_;
 
@@ -57,6 +61,7 @@ class RunLoop {
   Vector<D> first_momentum_ = Vector<D>::Zero();
   double first_angular_ = 0.0, momentum_scale_ = 0.0, angular_scale_ = 0.0;
   double momentum_drift_ = 0.0, angular_drift_ = 0.0;
+  std::optional<HyperbolicityLoss> hyperbolicity_lost_;
   long books_every_ = 1;
   long next_frame_ = 0;
 

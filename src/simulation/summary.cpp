@@ -1,8 +1,20 @@
 #include "tlsph/simulation/summary.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "tlsph/io/json.hpp"
 
 namespace tlsph {
+
+std::string HyperbolicityLoss::text() const {
+  return fmt::format(
+      "the material, not the method, lost stability at t = {:.6g} s: material point {} at ({:.6g}) "
+      "m "
+      "has stretch {:.4g} and carries no waves any more (acoustic eigenvalue {:.3g} Pa); such a "
+      "body separates into phases that depend on the spacing",
+      time, point, fmt::join(position, ", "), fmt::join(stretches, " x "), acoustic_eigenvalue);
+}
 
 std::string Summary::json() const {
   Json tree;
@@ -50,6 +62,15 @@ std::string Summary::json() const {
     tree.set("errors.stress", errors->stress);
   } else {
     tree.set("errors", nullptr);
+  }
+  if (hyperbolicity_lost) {
+    tree.set("hyperbolicity_lost.time", hyperbolicity_lost->time);
+    tree.set("hyperbolicity_lost.point", hyperbolicity_lost->point);
+    tree.set("hyperbolicity_lost.position", hyperbolicity_lost->position);
+    tree.set("hyperbolicity_lost.stretches", hyperbolicity_lost->stretches);
+    tree.set("hyperbolicity_lost.acoustic_eigenvalue", hyperbolicity_lost->acoustic_eigenvalue);
+  } else {
+    tree.set("hyperbolicity_lost", nullptr);
   }
   tree.set("consistency", nullptr);
   if (boundary_solver.empty())

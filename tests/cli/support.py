@@ -66,6 +66,31 @@ record = ["displacement", "pk1", "von_mises"]
 frames = 4
 """
 
+# Drawn to four times its length; at 3.63 its law carries no waves any more.
+RUBBER = """\
+dimension = 1
+[body]
+shape = { interval = [0.0, 1.0] }
+spacing = 0.1
+[material]
+young = 1e6
+poisson = 0.49
+density = 1000
+[[boundary]]
+where = "left"
+fixed = true
+[[boundary]]
+where = "right"
+displacement = { x = { curve = "ramp", amplitude = 3.0, rise = 0.3 } }
+[initial]
+velocity = { gradient = [[10.0]] }
+[time]
+end = 0.3
+[output]
+frames = 4
+energy_every = 1
+"""
+
 
 class ProgramTest(unittest.TestCase):
     """A test with a folder of its own, which is also the program's working directory."""

@@ -7,7 +7,7 @@ import unittest
 import h5py
 import numpy as np
 
-from support import BAR, PROGRAM, SHEET, ProgramTest, read_probes, read_summary
+from support import BAR, PROGRAM, RUBBER, SHEET, ProgramTest, read_probes, read_summary
 
 
 class Results(ProgramTest):
@@ -100,6 +100,27 @@ class Results(ProgramTest):
 
     def test_errors_are_null_without_an_exact_solution(self):
         self.assertIsNone(read_summary(self.run_scene(SHEET))["errors"])
+
+    def test_loss_of_hyperbolicity_is_told(self):
+        self.write("scene.toml", RUBBER)
+
+        done = self.tlsph("run", "scene.toml")
+
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("the material, not the method, lost stability at t = 0.26", done.stdout)
+
+    def test_loss_of_hyperbolicity_is_kept_over_a_resume(self):
+        settings = ("--set", "output.checkpoint_steps=50", "--threads", "1")
+        whole = self.run_scene(RUBBER, *settings)  # its last checkpoint is one after the loss
+        loss = read_summary(whole)["hyperbolicity_lost"]
+
+        again = self.run_scene(RUBBER, "--resume", *settings)
+
+        self.assertEqual(set(loss), {"time", "point", "position", "stretches", "acoustic_eigenvalue"})
+        self.assertAlmostEqual(loss["stretches"][0], 3.6307, delta=0.01)  # where dP/dF vanishes
+        self.assertLess(loss["acoustic_eigenvalue"], 0)
+        self.assertEqual(read_summary(again)["hyperbolicity_lost"], loss)
+        self.assertIsNone(read_summary(self.run_scene(BAR))["hyperbolicity_lost"])
 
     def test_fields(self):
         out = self.run_scene(SHEET)

@@ -19,8 +19,13 @@ struct CriticalStep {
 /// taken at the lagged half-step velocity, Δt solves λ_max(Δt² K + 2Δt C) = 4 relative to M, which
 /// is where the first mode reaches z = −1. Others: Arnoldi on M⁻¹K, 2/√|λ|max, and the growth of
 /// its non-real or negative eigenvalues. Evaluated at the displacement gradients `state.H`.
+/// NumericalError if there is no stiffness to limit the step.
 template <int D>
 [[nodiscard]] CriticalStep critical_step(const Discretisation<D>& discretisation,
                                          const State<D>& state);
+/// The same, nothing if there is no stiffness, as where a deformed material has lost it.
+template <int D>
+[[nodiscard]] std::optional<CriticalStep> critical_step_if_any(
+    const Discretisation<D>& discretisation, const State<D>& state);
 
 }  // namespace tlsph

@@ -64,8 +64,20 @@ class NeoHookean {
            volume.stiffness * inverse.cwiseProduct(dH).sum() * inverse;
   }
 
+  /// The matrix of `dpk1`, for the price of one of its columns.
   [[nodiscard]] Tangent<D> tangent(const Tensor<D>& H) const {
-    return tangent_from_action<D>(*this, H);
+    const double e = volume_change<D>(H);
+    const Volume volume = volume_at(log_volume(e));
+    const Tensor<D> inverse = cofactor<D>(deformation_gradient<D>(H)) * (1 / (1 + e));  // F⁻ᵀ
+    Tangent<D> result;
+    for (int i = 0; i < D; ++i)
+      for (int a = 0; a < D; ++a)
+        for (int j = 0; j < D; ++j)
+          for (int b = 0; b < D; ++b)
+            result(i * D + a, j * D + b) = (i == j && a == b ? mu_ : 0.0) +
+                                           (mu_ - volume.pressure) * inverse(i, b) * inverse(j, a) +
+                                           volume.stiffness * inverse(i, a) * inverse(j, b);
+    return result;
   }
 
   /// 1, or the stretch s that frees the missing directions of stress.

@@ -24,9 +24,12 @@ template <>
 double smallest_acoustic_eigenvalue<2>(const Tangent<2>& A);
 
 /// Whether every plane wave has a real speed. Where this fails the homogeneous state cannot exist.
+/// Much cheaper than the eigenvalue wherever the answer is yes.
 template <int D>
-[[nodiscard]] bool is_hyperbolic(const Tangent<D>& A) {
-  return smallest_acoustic_eigenvalue<D>(A) > 0;
-}
+[[nodiscard]] bool is_hyperbolic(const Tangent<D>& A);
+template <>
+bool is_hyperbolic<1>(const Tangent<1>& A);
+template <>
+bool is_hyperbolic<2>(const Tangent<2>& A);
 
 }  // namespace tlsph

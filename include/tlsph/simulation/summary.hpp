@@ -25,6 +25,18 @@ struct EnergyLedger {
   double drift_relative = 0.0;  ///< max |E − E₀ − W| / max E
 };
 
+/// The first time that a material point was seen at which its law carries no waves any more.
+struct HyperbolicityLoss {
+  double time = 0.0;                 ///< [s]
+  Index point = -1;                  ///< the worst material point then
+  std::vector<double> position;      ///< of it in the reference configuration [m]
+  std::vector<double> stretches;     ///< principal ones, the largest first
+  double acoustic_eigenvalue = 0.0;  ///< ρc² of its slowest plane wave [Pa]
+
+  /// What happened, in words, for people.
+  [[nodiscard]] std::string text() const;
+};
+
 struct Summary {
   std::string scene, title, version;
   int dimension = 0;
@@ -44,6 +56,7 @@ struct Summary {
   EnergyLedger energy;
   double linear_momentum_drift = 0.0, angular_momentum_drift = 0.0;
   std::optional<FieldErrors> errors;
+  std::optional<HyperbolicityLoss> hyperbolicity_lost;  ///< by the material; never by linear laws
   std::string boundary_solver;  ///< what factorised the modified SPH matrix, empty otherwise
   std::string failure;          ///< empty when all went well
   bool interrupted = false;     ///< stopped by a signal, checkpoint written

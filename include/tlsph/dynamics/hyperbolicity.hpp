@@ -1,0 +1,27 @@
+#pragma once
+/// \file
+/// Where a material stops to carry waves. A homogeneous state whose acoustic tensor has an
+/// eigenvalue ρc² ≤ 0 cannot persist: any disturbance of it grows, the shorter the faster, until
+/// the body has separated into other states. That is a property of the law at this deformation; no
+/// method, spacing or time step avoids it, and what follows it depends on all of them.
+
+#include <optional>
+
+#include "tlsph/dynamics/state.hpp"
+
+namespace tlsph {
+
+template <int D>
+struct UnstablePoint {
+  Index point = -1;                         ///< material point
+  double acoustic_eigenvalue = 0.0;         ///< ρc² of its slowest plane wave [Pa], not positive
+  Vector<D> stretches = Vector<D>::Zero();  ///< principal ones, the largest first
+};
+
+/// The material point furthest beyond the limit, nothing if every one carries waves. Points of laws
+/// that are linear in H always do and are not looked at.
+template <int D>
+[[nodiscard]] std::optional<UnstablePoint<D>> most_unstable_point(
+    const Discretisation<D>& discretisation, const State<D>& state);
+
+}  // namespace tlsph

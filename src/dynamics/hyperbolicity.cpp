@@ -1,0 +1,63 @@
+#include "tlsph/dynamics/hyperbolicity.hpp"
+
+#include <Eigen/SVD>
+#include <type_traits>
+
+#include "tlsph/core/parallel.hpp"
+#include "tlsph/materials/kinematics.hpp"
+#include "tlsph/materials/waves.hpp"
+
+namespace tlsph {
+namespace {
+
+/// The material point behind the k-th of a region.
+template <int D>
+Index point_at(const Region<D>& region, Index k) {
+  return region.points.empty() ? k : region.points[static_cast<std::size_t>(k)];
+}
+
+/// Looks at all points of a region, and closer only if one of them is beyond the limit.
+template <int D, class Law>
+void look_at(const Region<D>& region, const Law& law, const State<D>& state,
+             std::optional<UnstablePoint<D>>& worst) {
+  const auto tangent_at = [&](Index k) {
+    return law.tangent(tensor_at<D>(state.H, point_at<D>(region, k)));
+  };
+  const Index count =
+      region.points.empty() ? state.H.rows() : static_cast<Index>(region.points.size());
+  const double unstable =
+      sum_rows(count, [&](Index k) { return is_hyperbolic<D>(tangent_at(k)) ? 0.0 : 1.0; });
+  if (unstable == 0.0) return;
+  for (Index k = 0; k < count; ++k) {
+    const double eigenvalue = smallest_acoustic_eigenvalue<D>(tangent_at(k));
+    if (eigenvalue <= 0.0 && (!worst || eigenvalue < worst->acoustic_eigenvalue))
+      worst = {point_at<D>(region, k), eigenvalue, Vector<D>::Zero()};
+  }
+}
+
+}  // namespace
+
+template <int D>
+std::optional<UnstablePoint<D>> most_unstable_point(const Discretisation<D>& disc,
+                                                    const State<D>& state) {
+  std::optional<UnstablePoint<D>> worst;
+  for (const Region<D>& region : disc.regions)
+    std::visit(
+        [&](const auto& law) {
+          if constexpr (!std::decay_t<decltype(law)>::small_strain)
+            look_at<D>(region, law, state, worst);
+        },
+        region.law);
+  if (worst) {
+    const Tensor<D> F = deformation_gradient<D>(tensor_at<D>(state.H, worst->point));
+    worst->stretches = Eigen::JacobiSVD<Tensor<D>>(F).singularValues();
+  }
+  return worst;
+}
+
+template std::optional<UnstablePoint<1>> most_unstable_point<1>(const Discretisation<1>&,
+                                                                const State<1>&);
+template std::optional<UnstablePoint<2>> most_unstable_point<2>(const Discretisation<2>&,
+                                                                const State<2>&);
+
+}  // namespace tlsph
