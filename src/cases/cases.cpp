@@ -9,6 +9,8 @@ namespace tlsph {
 std::span<const Case> all_cases() {
   // name (the folder), title, seconds on one core, quick, function
   static constexpr std::array list = {
+      Case{"large_stretch", "a bar stretched sixfold; loss of hyperbolicity", 4.0, true,
+           large_stretch},
       Case{"three_materials", "wave speeds of three materials", 1.0, true, three_materials},
       Case{"corrections", "corrected gradients, and which pairs keep momentum", 3.0, true,
            corrections},

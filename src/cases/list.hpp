@@ -6,6 +6,7 @@
 
 namespace tlsph {
 
+void large_stretch(CaseRun& run);
 void three_materials(CaseRun& run);
 void corrections(CaseRun& run);
 void dispersion(CaseRun& run);
