@@ -9,6 +9,7 @@ namespace tlsph {
 void large_stretch(CaseRun& run);
 void three_materials(CaseRun& run);
 void corrections(CaseRun& run);
+void interpolation(CaseRun& run);
 void dispersion(CaseRun& run);
 void swinging_plate(CaseRun& run);
 void satellite(CaseRun& run);

@@ -1,0 +1,224 @@
+// What SPH sums make of known functions: the thesis's study of interpolation.
+#include "interpolation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "list.hpp"
+#include "sampled_line.hpp"
+#include "tlsph/analysis/order.hpp"
+#include "tlsph/operators/gradients.hpp"
+#include "tlsph/particles/lattice.hpp"
+#include "tlsph/particles/points.hpp"
+
+namespace tlsph {
+namespace sampling {
+namespace {
+
+constexpr double round_off = 1e-11;
+
+double f(double x) {
+  return std::pow(x - 0.5, 4);
+}
+double df(double x) {
+  return 4 * std::pow(x - 0.5, 3);
+}
+
+/// Largest error, of the largest value.
+double error(const ScalarField& seen, const ScalarField& exact) {
+  return (seen - exact).cwiseAbs().maxCoeff() / exact.cwiseAbs().maxCoeff();
+}
+
+/// The droop: what is left of a constant at the end of a line without ghosts.
+void droop(CaseRun& run) {
+  const SampledLine bare(0.0, 1.0, 40, 0);
+  SampledLine equal = bare;  // every particle of the same volume
+  equal.V.setConstant(equal.spacing);
+  for (const double support : supports) {
+    const auto at_end = [&](const SampledLine& line) {
+      const LineOperators sums = plain_sums(kernel, support, line);
+      const ScalarField one = sums.value * ScalarField::Ones(line.X.rows());
+      return one[0] / one[line.count / 2];
+    };
+    run.relative("thesis, Fig. 2.10",
+                 fmt::format("value at a bare end, of that inside, support {}", support), 0.5,
+                 at_end(bare), round_off);
+    if (support == supports.back())
+      run.report("thesis, Fig. 2.10",
+                 fmt::format("the same with a full volume at the end, support {}", support),
+                 at_end(equal), 0.5);
+  }
+}
+
+/// Errors of value and derivative on finer and finer lines.
+struct Study {
+  std::string name;
+  std::array<double, 2> order;  // of value and derivative
+  std::array<double, 2> floor;  // where order 0: what the error ends at, zero if it is no constant
+  std::function<std::array<double, 2>(int)> errors;
+};
+
+std::array<double, 2> with_sums(LineOperators (*sums)(const AnyKernel&, double, const SampledLine&),
+                                double support, int intervals, int ghosts) {
+  const SampledLine line(0.0, 1.0, intervals, ghosts);
+  const LineOperators operators = sums(kernel, support, line);
+  const ScalarField values = line.sample(f);
+  return {error(line.real(operators.value * values), line.real(values)),
+          error(line.real(operators.derivative * values), line.real(line.sample(df)))};
+}
+
+std::array<double, 2> corrected(Correction correction, int intervals) {
+  const SampledLine line(0.0, 1.0, intervals, 0);
+  const auto G =
+      collocated_gradient<1>(kernel, 2.5 * line.spacing, line.X, line.V, correction).matrix(0);
+  return {0.0, error(G * line.sample(f), line.sample(df))};
+}
+
+std::array<double, 2> at_stress_points(int intervals) {
+  const auto particles =
+      make_lattice<1>(Shape<1>{Box<1>{Vector<1>(0.0), Vector<1>(1.0)}}, 1.0 / intervals);
+  const auto points = cell_points<1>(particles);
+  const ScalarField values = particles.X.col(0).unaryExpr(&f);
+  const ScalarField exact = points.X.col(0).unaryExpr(&df);
+  return {0.0, error(cell_gradient<1>(particles, points).matrix(0) * values, exact)};
+}
+
+void orders(CaseRun& run) {
+  const LatticeSums closed(2.5);
+  const std::vector<Study> studies = {
+      {"plain sums, no ghosts",
+       {0.0, -1.0},
+       {0.5, 0.0},
+       [](int n) { return with_sums(plain_sums, 2.5, n, 0); }},
+      {"plain sums, ghosts",
+       {0.0, 0.0},
+       {std::abs(closed.value(0.0) - 1), std::abs(closed.slope() - 1)},
+       [](int n) { return with_sums(plain_sums, 2.5, n, layers); }},
+      {"normalised sums, ghosts",
+       {2.0, 2.0},
+       {},
+       [](int n) { return with_sums(normalised_sums, 2.5, n, layers); }},
+      {"gradient correction, no ghosts",
+       {0.0, 1.0},
+       {},
+       [](int n) { return corrected(Correction::gradient, n); }},
+      {"least squares, no ghosts",
+       {0.0, 1.0},
+       {},
+       [](int n) { return corrected(Correction::least_squares, n); }},
+      {"stress points, no ghosts", {0.0, 2.0}, {}, at_stress_points}};
+  std::vector<std::string> columns = {"spacing"};
+  std::vector<std::vector<double>> lists(1);
+  for (const Study& study : studies) {
+    std::vector<double> spacing;
+    std::array<std::vector<double>, 2> errors;
+    for (const int n : {40, 80, 160, 320, 640, 1280}) {
+      spacing.push_back(1.0 / n);
+      const auto now = study.errors(n);
+      errors[0].push_back(now[0]);
+      errors[1].push_back(now[1]);
+    }
+    lists[0] = spacing;
+    for (const std::size_t k : {0U, 1U}) {
+      if (errors[k].front() == 0.0) continue;
+      const char* what = k == 0 ? "value" : "derivative";
+      if (study.order[k] == 0.0)
+        run.absolute(
+            "thesis, (2.35)",
+            fmt::format("largest error of the {} however fine, support 2.5, {}", what, study.name),
+            study.floor[k], errors[k].back(), 0.02 * study.floor[k]);
+      else
+        run.absolute(
+            "thesis, (2.35)",
+            fmt::format("order of the largest error of the {}, support 2.5, {}", what, study.name),
+            study.order[k], fit_order(spacing, errors[k]).order, 0.1);
+      columns.push_back(fmt::format("{}, {}", what, study.name));
+      lists.push_back(errors[k]);
+    }
+  }
+  run.table("orders", columns, lists);
+}
+
+/// Figs 2.10–2.12 as drawn: value and derivatives for all supports.
+void profiles(CaseRun& run) {
+  const SampledLine bare(0.0, 1.0, 40, 0);
+  const auto list = [](const ScalarField& values) {
+    return std::vector<double>(values.begin(), values.end());
+  };
+  std::vector<std::string> columns = {"x", "exact", "exact derivative"};
+  std::vector<std::vector<double>> lists = {list(bare.X.col(0)), list(bare.sample(f)),
+                                            list(bare.sample(df))};
+  for (const double support : supports) {
+    const LineOperators sums = plain_sums(kernel, support, bare);
+    columns.push_back(fmt::format("{}", support));
+    lists.push_back(list(sums.value * bare.sample(f)));
+    if (support != supports.front() && support != supports.back()) continue;
+    for (const auto& [name, intervals] : {std::pair{"2.11", 100}, std::pair{"2.12", 10}}) {
+      const auto errors = with_sums(plain_sums, support, intervals, layers);
+      for (const std::size_t k : {0U, 1U})
+        run.report(fmt::format("thesis, Fig. {}", name),
+                   fmt::format("largest error of the {}, {} intervals, ghosts, support {}",
+                               k == 0 ? "value" : "derivative", intervals, support),
+                   errors[k], 0.0);
+    }
+  }
+  run.table("bare", columns, lists);
+}
+
+}  // namespace
+
+void quartic(CaseRun& run) {
+  droop(run);
+  profiles(run);
+  orders(run);
+}
+
+void sine(CaseRun& run) {
+  struct Figure {
+    const char* name;
+    double end;
+    int intervals;
+  };
+  using std::numbers::pi;
+  double worst = 0.0;
+  for (const Figure& figure : {Figure{"2.13", 3 * pi, 90}, Figure{"2.14", 3 * pi, 20},
+                               Figure{"2.15", pi, 90}, Figure{"2.16", pi, 20}})
+    for (const double support : supports) {
+      const SampledLine line(0.0, figure.end, figure.intervals, 2 * layers);
+      const LineOperators sums = plain_sums(kernel, support, line);
+      const ScalarField values = line.sample([](double x) { return std::sin(x); });
+      const ScalarField slopes = line.sample([](double x) { return std::cos(x); });
+      const LatticeSums closed(support);
+      const double amplitude = closed.value(line.spacing);
+      const double slope = closed.derivative(line.spacing);
+      const ScalarField first = sums.derivative * values;
+      const auto compare = [&](const ScalarField& seen, const ScalarField& expected) {
+        worst = std::max(worst, error(line.real(seen), line.real(expected)));
+      };
+      compare(sums.value * values, amplitude * values);
+      compare(first, slope * slopes);
+      compare(sums.derivative * first, -slope * slope * values);
+      if (support != supports.front() && support != supports.back()) continue;
+      run.report(fmt::format("thesis, Fig. {}", figure.name),
+                 fmt::format("amplitude of the derivative of sin x, support {}", support), slope,
+                 1.0);
+    }
+  run.at_most("thesis, Figs 2.13–2.16",
+              "amplitudes of sin x and two derivatives against Σ W cos jθ, −Σ W' sin jθ", 1e-10,
+              worst);
+}
+
+}  // namespace sampling
+
+void interpolation(CaseRun& run) {
+  sampling::quartic(run);
+  sampling::sine(run);
+  sampling::edges(run);
+  sampling::modified_matrix(run);
+}
+
+}  // namespace tlsph
