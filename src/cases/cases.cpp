@@ -11,6 +11,7 @@ std::span<const Case> all_cases() {
   static constexpr std::array list = {
       Case{"large_stretch", "a bar stretched sixfold; loss of hyperbolicity", 4.0, true,
            large_stretch},
+      Case{"sheet_waves", "strain and stress waves in a strip", 1.0, true, sheet_waves},
       Case{"three_materials", "wave speeds of three materials", 1.0, true, three_materials},
       Case{"interpolation", "SPH sums of known functions", 1.0, true, interpolation},
       Case{"corrections", "corrected gradients, and which pairs keep momentum", 3.0, true,

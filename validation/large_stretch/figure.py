@@ -32,7 +32,7 @@ def markers(axes, stretch, stress, name, at, **style):
 
 
 def draw(folder):
-    figure, ((rest, curves), (errors, phases)) = plt.subplots(2, 2, figsize=(0.9 * WIDTH, 4.5))
+    figure, ((rest, curves), (errors, phases)) = plt.subplots(2, 2, figsize=(0.87 * WIDTH, 4.3))
     grid = np.linspace(1, 6, 300)
     for k, name in enumerate(METHODS):
         marker, colour = METHODS[name]
@@ -42,7 +42,7 @@ def draw(folder):
             stretch, stress = history(folder / f"{name}-{poisson}")
             markers(curves, stretch, stress, name, np.arange(1.25 + 0.15 * k, 6.01, 0.6))
         stretch, stress = history(folder / f"{name}-0.3")
-        stretch, stress = stretch[1::5], stress[1::5]
+        stretch, stress = stretch[1::12], stress[1::12]
         errors.semilogy(stretch, np.abs(stress / law(stretch, 0.3) - 1), color=colour, linewidth=0.8)
     rest.plot(grid, law(grid, 0.3), color=INK, linewidth=1.0, linestyle="--", label="law")
     rest.set(title="From rest in 30 transits, ν = 0.3")
@@ -55,8 +55,8 @@ def draw(folder):
     stretch, stress = history(folder / "stress-point-0.49")
     curves.plot(stretch, stress, color=COLOURS[0], linewidth=0.6)
     curves.axvline(LIMITS[0], color=FAINT, linewidth=0.9, linestyle=":")
-    curves.annotate("dP/dF = 0\nat ν = 0.49", (LIMITS[0], 1020), xytext=(4, 0), textcoords="offset points", color=FAINT,
-                    fontsize=8)
+    curves.annotate("dP/dF = 0\nat ν = 0.49", (LIMITS[0], 1020), xytext=(4, 0), textcoords="offset points",
+                    color=FAINT, fontsize=8)
     curves.set(title="Without waves, in 300 transits", ylim=(0, None))
 
     errors.axhline(1e-2, color=FAINT, linewidth=0.9, linestyle=":")
