@@ -14,5 +14,6 @@ void interpolation(CaseRun& run);
 void dispersion(CaseRun& run);
 void swinging_plate(CaseRun& run);
 void satellite(CaseRun& run);
+void swegle(CaseRun& run);
 
 }  // namespace tlsph
