@@ -20,6 +20,8 @@ std::span<const Case> all_cases() {
       Case{"swinging_plate", "a plate that swings without changing its volume", 3.0, true,
            swinging_plate},
       Case{"satellite", "a free body spins", 30.0, false, satellite},
+      Case{"tensile_instability", "a prestressed bar, one particle displaced", 1.0, true,
+           tensile_instability},
       Case{"swegle", "a prestressed sheet, one particle pushed", 25.0, false, swegle},
   };
   return list;

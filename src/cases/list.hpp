@@ -14,6 +14,7 @@ void interpolation(CaseRun& run);
 void dispersion(CaseRun& run);
 void swinging_plate(CaseRun& run);
 void satellite(CaseRun& run);
+void tensile_instability(CaseRun& run);
 void swegle(CaseRun& run);
 
 }  // namespace tlsph
