@@ -23,6 +23,7 @@ std::span<const Case> all_cases() {
       Case{"tensile_instability", "a prestressed bar, one particle displaced", 1.0, true,
            tensile_instability},
       Case{"swegle", "a prestressed sheet, one particle pushed", 25.0, false, swegle},
+      Case{"block_impact", "two bonded blocks that meet", 1.0, true, block_impact},
   };
   return list;
 }

@@ -16,5 +16,6 @@ void swinging_plate(CaseRun& run);
 void satellite(CaseRun& run);
 void tensile_instability(CaseRun& run);
 void swegle(CaseRun& run);
+void block_impact(CaseRun& run);
 
 }  // namespace tlsph
