@@ -12,13 +12,14 @@
 #include "signals.hpp"
 #include "tlsph/analysis/order.hpp"
 #include "tlsph/simulation/builder.hpp"
+#include "validation_bar.hpp"
 
 namespace tlsph {
 namespace {
 
-constexpr double amplitude = 100e3;                               // of the pressure [Pa]
-constexpr double speed = 5801.1934;                               // √((λ + 2μ)/ρ) [m/s]
-constexpr double duration = 8e-6;                                 // [s]
+constexpr double amplitude = validation_bar::pressure;
+constexpr double duration = validation_bar::duration;
+const double speed = validation_bar::speed;
 constexpr PulseCurve intermediate{-amplitude, duration, 0.5e-6};  // the smoothing of most runs
 const std::array<std::string, 4> formulations = {"thesis", "mirror", "stress-point", "variational"};
 
