@@ -7,8 +7,8 @@
 #include <tuple>
 
 #include "bar_wave_run.hpp"
-#include "dispersion.hpp"
 #include "list.hpp"
+#include "long_waves.hpp"
 #include "signals.hpp"
 #include "tlsph/analysis/order.hpp"
 #include "tlsph/simulation/builder.hpp"
@@ -147,7 +147,7 @@ SupportRun run_support(CaseRun& run, const std::string& formulation, double supp
                         set);
   const Summary& summary = wave.scene.summary;
   const double way = std::sqrt((0.10 * 0.10 + 0.20 * 0.20) / 2.0);
-  const double a = dispersion(build<1>(run.read("bar.toml", set)), summary.dt);
+  const double a = long_wave_lag(build<1>(run.read("bar.toml", set)), summary.dt);
   return {wave.error("p3"), pulse_dispersion_error(a, spacing, way, intermediate, speed),
           summary.dt_critical_scaled,
           static_cast<double>(summary.nonzeros) * static_cast<double>(summary.steps)};

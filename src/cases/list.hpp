@@ -9,6 +9,7 @@ namespace tlsph {
 void large_stretch(CaseRun& run);
 void sheet_waves(CaseRun& run);
 void bar_pulse(CaseRun& run);
+void impedance(CaseRun& run);
 void step_limit(CaseRun& run);
 void three_materials(CaseRun& run);
 void corrections(CaseRun& run);

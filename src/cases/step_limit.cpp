@@ -5,12 +5,14 @@
 #include <array>
 #include <cmath>
 
-#include "bar_spectrum.hpp"
 #include "bar_wave_run.hpp"
 #include "list.hpp"
+#include "motion_growth.hpp"
 #include "signals.hpp"
+#include "tlsph/analysis/spectrum.hpp"
 #include "tlsph/simulation/builder.hpp"
 #include "validation_bar.hpp"
+#include "vibration.hpp"
 
 namespace tlsph {
 namespace {
@@ -32,7 +34,7 @@ Settings with_step(const Settings& set, double dt, double end) {
 }
 
 Spectrum spectrum_of(CaseRun& run, const Settings& set) {
-  return squared_frequencies(build<1>(run.read("bar.toml", set)));
+  return eigenvalues(dynamical_matrix<1>(build<1>(run.read("bar.toml", set))));
 }
 
 double computed_limit(CaseRun& run, const Settings& set) {

@@ -3,35 +3,24 @@
 import matplotlib.pyplot as plt
 import numpy as np
 
+from plotting import bar
 from plotting.case import table
 from plotting.style import COLOURS, FAINT, INK, WIDTH
 
-FORMULATIONS = ["thesis", "mirror", "stress-point", "variational"]
 STEPS = {"below": "half the limit", "at": "at the limit", "above": "1.02 × limit"}
 POINTS = {"p1": "0", "p2": "0.05 m", "p3": "0.10 m", "p4": "0.15 m"}
-LOST = 1000  # [kPa], where a history that grows is cut
 CLOSURES = ["thesis, consistent", "thesis, as printed", "thesis, η", "mirror"]
 
 
 def draw(folder):
     figure = plt.figure(figsize=(WIDTH, 5.4))
-    head, upper, lower = figure.subfigures(3, 1, height_ratios=[0.09, 2.2, 1.15])
-    handles = [plt.Line2D([], [], color=COLOURS[k], label=x) for k, x in enumerate(POINTS.values())]
-    head.legend(handles=handles, ncols=4, loc="center", handlelength=1.8)
-    panels = upper.subplots(3, 4, sharex=True, sharey=True)
+    head, panels, lower = bar.grid(figure, 3, 4, heights=[2.2, 1.15])
+    bar.legend(head, POINTS.values(), exact=None)
+    bar.titles(panels, ["thesis, as printed", *bar.FORMULATIONS[1:]])
     for row, (step, words) in zip(panels, STEPS.items()):
-        for axes, formulation in zip(row, FORMULATIONS):
-            run = table(folder / f"{formulation}-{step}" / "probes.csv")
-            for k, point in enumerate(POINTS):
-                stress = 1e-3 * run[f"{point}.pk1_xx"]
-                lost = np.abs(stress) > LOST
-                kept = slice(0, np.argmax(lost) + 1 if lost.any() else None)
-                axes.plot(1e6 * run["time"][kept], stress[kept], color=COLOURS[k], linewidth=0.8)
+        for axes, formulation in zip(row, bar.FORMULATIONS):
+            bar.stresses(axes, folder / f"{formulation}-{step}", POINTS, cut=1000)
         row[0].set_ylabel(f"{words}\n$P$ [kPa]")
-    for axes, formulation in zip(panels[0], FORMULATIONS):
-        axes.set_title("thesis, as printed" if formulation == "thesis" else formulation, fontweight="bold")
-    for axes in panels[-1]:
-        axes.set_xlabel("time $t$ [µs]")
     panels[0, 0].set(xlim=(0, 44), ylim=(-275, 65), yticks=[-200, -100, 0])
     left, right = lower.subplots(1, 2)
     amplitudes(left, folder)
@@ -41,7 +30,7 @@ def draw(folder):
 
 def amplitudes(axes, folder):
     """The largest stress so far at 0.05 m."""
-    for k, formulation in list(enumerate(FORMULATIONS))[1:]:
+    for k, formulation in list(enumerate(bar.FORMULATIONS))[1:]:
         for name, dashes in ("below", (None, None)), ("above", (4, 1.5)):
             run = table(folder / f"{formulation}-long-{name}" / "probes.csv")
             draw_amplitude(axes, run, color=COLOURS[k], dashes=dashes)

@@ -1,9 +1,9 @@
 #pragma once
 /// \file
-/// How far a wave in the lattice of particles lags behind one in the bar.
+/// How far a long wave in the lattice of particles lags behind one in the bar.
 
+#include "tlsph/curves/curve.hpp"
 #include "tlsph/dynamics/discretisation.hpp"
-#include "tlsph/scene/scene.hpp"
 
 namespace tlsph {
 
@@ -11,7 +11,7 @@ namespace tlsph {
 /// uniform, linear elastic bar of particles, operators and time step `dt` together: the run's own
 /// force on u = cos(kX) gives ω² of the operators, the central difference adds −(c dt/Δ)²/24.
 /// Positive: short waves are late.
-[[nodiscard]] double dispersion(const Discretisation<1>& bar, double dt);
+[[nodiscard]] double long_wave_lag(const Discretisation<1>& bar, double dt);
 
 /// Where the front of a stress step stands: with such a dispersion a step arrives as ∫Ai, whose
 /// value at the place of the exact front is 1/3, and whose largest, at the first zero of Ai, is

@@ -1,17 +1,11 @@
 #pragma once
 /// \file
-/// The motions of a bar of particles, all of them, and how fast each grows.
+/// How fast the motions of a linear body grow that its spectrum (vibration.hpp) does not hold.
 
 #include <complex>
 #include <vector>
 
-#include "tlsph/dynamics/discretisation.hpp"
-
 namespace tlsph {
-
-/// Eigenvalues ω² [1/s²] of M⁻¹K over the free nodes of a linear elastic bar, largest modulus
-/// first, from the forces of the run's own operators on unit displacements. N² memory.
-[[nodiscard]] std::vector<std::complex<double>> squared_frequencies(const Discretisation<1>& bar);
 
 /// Largest Re(s) [1/s] of the free motions e^{st}, s² = −ω²: zero where all ω² are real and
 /// positive, up to the square root of round-off.

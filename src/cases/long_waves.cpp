@@ -1,23 +1,17 @@
-#include "dispersion.hpp"
+#include "long_waves.hpp"
 
 #include <cmath>
 #include <numbers>
 
-#include "tlsph/dynamics/state.hpp"
+#include "vibration.hpp"
 
 namespace tlsph {
 
-double dispersion(const Discretisation<1>& bar, double dt) {
+double long_wave_lag(const Discretisation<1>& bar, double dt) {
   // Small enough for the leading term, large enough for its digits.
   const double theta = 0.02;
   const double k = theta / bar.spacing;
-  const Index middle = bar.nodes() / 2;
-  const double origin = bar.particles.X(middle, 0);
-  VectorField<1> u(bar.nodes(), 1);
-  for (Index q = 0; q < bar.nodes(); ++q) u(q, 0) = std::cos(k * (bar.particles.X(q, 0) - origin));
-  State<1> state = make_state<1>(bar, u, VectorField<1>::Zero(bar.nodes(), 1));
-  evaluate<1>(bar, state);
-  const double omega = std::sqrt(-state.f(middle, 0) / bar.mass[middle]);
+  const double omega = std::sqrt(squared_frequency(bar, bar.nodes() / 2, k));
   const double courant = bar.wave_speed() * dt / bar.spacing;
   return (1.0 - omega / (bar.wave_speed() * k)) / (theta * theta) - courant * courant / 24.0;
 }
