@@ -10,6 +10,7 @@ void large_stretch(CaseRun& run);
 void sheet_waves(CaseRun& run);
 void bar_pulse(CaseRun& run);
 void impedance(CaseRun& run);
+void neo_hookean_wave(CaseRun& run);
 void step_limit(CaseRun& run);
 void three_materials(CaseRun& run);
 void corrections(CaseRun& run);

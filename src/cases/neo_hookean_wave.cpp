@@ -1,0 +1,212 @@
+// A wave of 10 % strain in a Neo-Hookean bar against the theory of characteristics, and a small one
+// against linear elasticity.
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "list.hpp"
+#include "signals.hpp"
+#include "simple_wave.hpp"
+#include "tlsph/analysis/order.hpp"
+#include "tlsph/dynamics/critical_step.hpp"
+#include "tlsph/simulation/builder.hpp"
+#include "validation_bar.hpp"
+
+namespace tlsph {
+namespace {
+
+constexpr PulseCurve load{-35e9, 5e-6, 2.5e-6};
+constexpr double crest_time = 3.0 * load.rise + load.duration / 2.0;  // of the load [s]
+const std::array<std::string, 4> formulations = {"thesis", "mirror", "stress-point", "variational"};
+
+SimpleWave exact_wave() {
+  return {make_law<1>(LawName::neo_hookean, Assumption::strain, validation_bar::young,
+                      validation_bar::poisson),
+          validation_bar::density, load, 2.0 * crest_time};
+}
+
+/// When the load first reaches `share` of its crest [s].
+double time_of(double share) {
+  double before = 0.0;
+  double after = crest_time;
+  while (after - before > 1e-15) {
+    const double middle = 0.5 * (before + after);
+    (value(load, middle) > share * value(load, crest_time) ? before : after) = middle;
+  }
+  return before;
+}
+
+/// Nothing that the fixed end sends back is at 0.10 m before: the front reaches the end with c(0)
+/// and comes back through a body that is nowhere stiffer than under the crest.
+double first_reflection(const SimpleWave& exact) {
+  return validation_bar::length / exact.speed(0.0) +
+         (validation_bar::length - 0.10) /
+             exact.speed(exact.gradient_under(value(load, crest_time)));
+}
+
+/// Relative L2 error of a column against an exact history, until `end`.
+double error_against(const History& exact, std::size_t column, double end,
+                     std::span<const double> time, std::span<const double> values) {
+  std::vector<double> inside, at;
+  for (std::size_t k = 0; k < time.size(); ++k)
+    if (time[k] >= exact.time.front() && time[k] <= end) {
+      at.push_back(time[k]);
+      inside.push_back(values[k]);
+    }
+  return relative_error(at, inside, resample(exact.time, exact.values[column], at));
+}
+
+/// The largest |v + m(H)| at 0.10 m before anything comes back, over the largest |m|.
+double invariant_error(const SimpleWave& exact, const CaseScene& scene) {
+  const auto& time = scene.history.time;
+  const auto v = scene.probe("p3.velocity_x");
+  const auto F = scene.probe("p3.deformation_gradient_xx");
+  const double back = first_reflection(exact);
+  double largest = 0.0;
+  double error = 0.0;
+  for (std::size_t k = 0; k < time.size() && time[k] < back; ++k) {
+    const double m = exact.invariant(F[k] - 1.0);
+    largest = std::max(largest, std::abs(m));
+    error = std::max(error, std::abs(v[k] + m));
+  }
+  return error / largest;
+}
+
+/// The largest relative difference from c(F) of the speed with which nine levels of the front come
+/// to 0.10 m; what was seen goes to a table.
+double speed_error(CaseRun& run, const std::string& formulation, const SimpleWave& exact,
+                   const CaseScene& scene) {
+  std::vector<std::vector<double>> table(3);
+  double error = 0.0;
+  const double crest = value(load, crest_time);
+  for (int k = 1; k <= 9; ++k) {
+    const double level = 0.1 * k;
+    const double sent = time_of(level);
+    const double arrived = reaches(scene.history.time, scene.probe("p3.pk1_xx"), -level * crest);
+    const double H = exact.gradient_under(level * crest);
+    const double seen = 0.10 / (arrived - sent);
+    error = std::max(error, std::abs(seen / exact.speed(H) - 1.0));
+    table[0].push_back(H);
+    table[1].push_back(exact.speed(H));
+    table[2].push_back(seen);
+  }
+  run.table("speeds-" + formulation, {"gradient", "exact", "observed"}, table);
+  return error;
+}
+
+/// H under the crest at the fixed end: what comes, v − m = −2m, meets v = 0, so m doubles.
+double wall_gradient(const SimpleWave& exact) {
+  return exact.gradient_of(2.0 * exact.invariant(exact.gradient_under(value(load, crest_time))));
+}
+
+/// The step of a run [s]: one for all of it, stable where the bar is stiffest.
+double steady_step(CaseRun& run, const std::vector<std::string>& set, const SimpleWave& exact) {
+  const Discretisation<1> bar = build<1>(run.read("bar.toml", set));
+  const VectorField<1> rest = VectorField<1>::Zero(bar.nodes(), 1);
+  State<1> state = make_state<1>(bar, rest, rest);
+  evaluate<1>(bar, state);
+  return 0.9 * critical_step<1>(bar, state).dt * exact.speed(0.0) /
+         exact.speed(wall_gradient(exact));
+}
+
+/// What the wave of the finest lattice is held to. Boundaries that are consistent leave the error
+/// of the interior; others send a slightly different wave into the bar.
+struct Limits {
+  double field, speed, invariant;
+};
+Limits limits_of(const std::string& formulation) {
+  if (formulation == "thesis") return {5e-3, 1e-3, 2e-3};
+  if (formulation == "variational") return {1e-3, 1e-3, 2e-3};
+  return {2e-4, 1e-4, 1e-4};
+}
+
+void check_large(CaseRun& run, const std::string& formulation, const SimpleWave& exact,
+                 const CaseScene& scene, double stress_error) {
+  const Limits limits = limits_of(formulation);
+  const std::string of = ", " + formulation;
+  const std::string source = "P(X, τ + X/c) = p(τ)";
+  run.at_most(source, "relative L2 error of stress at 0.10 m" + of, limits.field, stress_error);
+  run.at_most(source, "relative L2 error of velocity at 0.10 m" + of, limits.field,
+              error_against(exact.history(0.10), 1, first_reflection(exact), scene.history.time,
+                            scene.probe("p3.velocity_x")));
+  run.at_most("c² = (dP/dF)/ρ", "speed of nine levels to 0.10 m / c(F) − 1" + of, limits.speed,
+              speed_error(run, formulation, exact, scene));
+  run.at_most("v = −∫c dF", "largest |v + m(F)| / |m| at 0.10 m" + of, limits.invariant,
+              invariant_error(exact, scene));
+  const double wall = exact.stress(wall_gradient(exact));
+  const double crest = peak(scene.history.time, scene.probe("p4.pk1_xx"), 0.0, 1.0);
+  const std::string at_the_wall = "largest pressure at the fixed end" + of + " [Pa]";
+  if (formulation == "variational")
+    run.report("m(F) doubles", at_the_wall, crest, -wall);
+  else
+    run.relative("m(F) doubles", at_the_wall, -wall, crest, 1e-3);
+  const double drift = scene.summary.energy.drift_relative;
+  const std::string energy = "drift of the energy balance" + of;
+  // Only these forces come from an energy.
+  if (formulation == "stress-point" || formulation == "variational")
+    run.at_most("energy", energy, 1e-4, drift);
+  else
+    run.report("energy", energy, drift);
+}
+
+/// The wave of 10 % strain, on three lattices.
+void large_wave(CaseRun& run, const SimpleWave& exact) {
+  constexpr std::array spacings = {5e-4, 2.5e-4, 1.25e-4};
+  const History there = exact.history(0.10);
+  run.table("exact", {"time", "stress", "velocity"},
+            {there.time, there.values[0], there.values[1]});
+  run.at_least("characteristics", "way until the wave breaks [m]", validation_bar::length,
+               exact.breaking_distance());
+  std::vector<std::vector<double>> table(3);
+  for (std::size_t number = 0; number < formulations.size(); ++number) {
+    const std::string& formulation = formulations[number];
+    std::vector<double> errors;
+    for (const double spacing : spacings) {
+      std::vector<std::string> set = {fmt::format("formulation={}", formulation),
+                                      fmt::format("body.spacing={}", spacing)};
+      set.push_back(fmt::format("time.step={}", steady_step(run, set, exact)));
+      const CaseScene scene =
+          run.scene(fmt::format("{}-{}", formulation, spacing), "bar.toml", set);
+      errors.push_back(error_against(there, 0, first_reflection(exact), scene.history.time,
+                                     scene.probe("p3.pk1_xx")));
+      table[0].push_back(static_cast<double>(number));
+      table[1].push_back(spacing);
+      table[2].push_back(errors.back());
+      if (spacing == spacings.back()) check_large(run, formulation, exact, scene, errors.back());
+    }
+    const double order = pairwise_orders(spacings, errors).back();
+    const std::string words = "order of convergence of the stress, " + formulation;
+    if (formulation == "thesis" || formulation == "variational")
+      run.report("P(X, τ + X/c) = p(τ)", words, order);
+    else
+      run.absolute("P(X, τ + X/c) = p(τ)", words, 2.0, order, 0.05);
+  }
+  run.table("errors", {"formulation", "spacing", "error"}, table);
+}
+
+/// Figs 5.3 and 5.4: the pulse of 100 kPa, which bends no curve.
+void small_wave(CaseRun& run) {
+  const std::string pulse =
+      R"(boundary[0].traction={ curve = "pulse", amplitude = -100e3, duration = 8e-6, rise = 0.5e-6 })";
+  for (const std::string& formulation : formulations) {
+    const std::vector<std::string> set = {fmt::format("formulation={}", formulation), pulse};
+    const CaseScene nonlinear = run.scene("small-" + formulation, "bar.toml", set);
+    std::vector<std::string> linear_set = set;
+    linear_set.emplace_back("material.law=linear-elastic");
+    const CaseScene linear = run.scene("linear-" + formulation, "bar.toml", linear_set);
+    run.at_most("thesis, Fig. 5.4",
+                "stress at 0.10 m less the linear one, relative L2, " + formulation, 1e-5,
+                relative_error(linear.history.time, nonlinear.probe("p3.pk1_xx"),
+                               linear.probe("p3.pk1_xx")));
+  }
+}
+
+}  // namespace
+
+void neo_hookean_wave(CaseRun& run) {
+  large_wave(run, exact_wave());
+  small_wave(run);
+}
+
+}  // namespace tlsph
