@@ -11,6 +11,8 @@ std::span<const Case> all_cases() {
   static constexpr std::array list = {
       Case{"large_stretch", "a bar stretched sixfold; loss of hyperbolicity", 4.0, true,
            large_stretch},
+      Case{"sheet_stretch", "a sheet stretched in two directions; loss of hyperbolicity", 5.0, true,
+           sheet_stretch},
       Case{"sheet_waves", "strain and stress waves in a strip", 1.0, true, sheet_waves},
       Case{"bar_pulse", "a pressure pulse in a bar, by d'Alembert", 2.0, true, bar_pulse},
       Case{"impedance", "a pulse at a change of density", 4.0, true, impedance},

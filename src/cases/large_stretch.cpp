@@ -97,7 +97,10 @@ void follow_source(CaseRun& run, const std::string& formulation) {
 /// Beyond the limit of hyperbolicity.
 void lose_waves(CaseRun& run, const std::string& formulation) {
   constexpr double poisson = 0.49;
-  const double limit = hyperbolic_limit(lame(young, poisson), 1.0);
+  const auto [lambda, mu] = lame(young, poisson);
+  const double limit = first_loss([&](double F) {  // of dP/dF
+    return mu * (1 + 1 / (F * F)) + lambda * (1 - std::log(F)) / (F * F);
+  });
   auto overrides = kernel_of(formulation);
   overrides.emplace_back("output.energy_every=10");
   const Drawn drawn =

@@ -7,6 +7,7 @@
 namespace tlsph {
 
 void large_stretch(CaseRun& run);
+void sheet_stretch(CaseRun& run);
 void sheet_waves(CaseRun& run);
 void bar_pulse(CaseRun& run);
 void impedance(CaseRun& run);

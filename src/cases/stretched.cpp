@@ -11,18 +11,14 @@ double neo_hookean_cauchy(const Lame& constants, double first, double second) {
   return (constants.mu * (first * first - 1) + constants.lambda * std::log(J)) / J;
 }
 
-double hyperbolic_limit(const Lame& constants, double second) {
-  // times λ₁², which has the same roots
-  const auto stiffness = [&](double first) {
-    return constants.mu * (first * first + 1) + constants.lambda * (1 - std::log(first * second));
-  };
+double first_loss(const std::function<double(double)>& function) {
   constexpr double step = 0.01;
   for (double lower = 1.0; lower < 10.0; lower += step) {
-    if (stiffness(lower + step) > 0) continue;
+    if (function(lower + step) >= 0) continue;
     double upper = lower + step;
     while (upper - lower > 1e-12) {
       const double middle = 0.5 * (lower + upper);
-      (stiffness(middle) > 0 ? lower : upper) = middle;
+      (function(middle) >= 0 ? lower : upper) = middle;
     }
     return lower;
   }

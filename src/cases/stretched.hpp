@@ -2,6 +2,7 @@
 /// \file
 /// Bodies that are drawn out: the stress the law wants, and how far from it a run is.
 
+#include <functional>
 #include <span>
 
 #include "tlsph/materials/lame.hpp"
@@ -12,10 +13,8 @@ namespace tlsph {
 /// (5.5) of the thesis with λ₃ = 1.
 [[nodiscard]] double neo_hookean_cauchy(const Lame& constants, double first, double second);
 
-/// The smallest first stretch > 1 at which a Neo-Hookean body in plane strain carries no waves any
-/// more along it: ∂P₁/∂F₁₁ = μ(1 + 1/λ₁²) + λ(1 − ln λ₁λ₂)/λ₁² = 0. Infinite if there is none below
-/// 10.
-[[nodiscard]] double hyperbolic_limit(const Lame& constants, double second);
+/// Where `function` falls below zero first on the way from 1 to 10; infinite if nowhere.
+[[nodiscard]] double first_loss(const std::function<double(double)>& function);
 
 /// The largest |observed/expected − 1| where `stretch` is between `from` and `to`.
 [[nodiscard]] double largest_deviation(std::span<const double> stretch,
