@@ -179,6 +179,13 @@ TEST(BuildInitial, RefusesAPrestressThatTheOperatorsDoNotBalance) {
   EXPECT_THROW(start_of({stretched, outer, variational}), InputError);
   EXPECT_THROW(start_of({stretched, rim(1), hold_rim, variational}), InputError);
   EXPECT_NO_THROW(start_of({stretched, rim(4), hold_rim, variational}));
+  // (λ + 2μ) and λ times the strain, λ = μ = 0.8 MPa: its own stress as loads.
+  const std::string pulled = "initial.displacement={gradient=[[0.05, 0.0], [0.0, 0.0]]}";
+  const std::string loads =
+      "boundary=[{where=\"left\", traction=120e3}, {where=\"right\", traction=120e3}, "
+      "{where=\"bottom\", traction=40e3}, {where=\"top\", traction=40e3}]";
+  EXPECT_NO_THROW(start_of({pulled, loads}));
+  EXPECT_THROW(start_of({pulled, loads, variational}), InputError);
   // Let go at one side, the body is meant to move.
   EXPECT_NO_THROW(start_of({stretched, "boundary=[{where=\"left\", held=true}]", variational}));
   // Moved supports and a small region beside equilibrium do not hide it.
