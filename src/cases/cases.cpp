@@ -14,6 +14,8 @@ std::span<const Case> all_cases() {
       Case{"sheet_stretch", "a sheet stretched in two directions; loss of hyperbolicity", 5.0, true,
            sheet_stretch},
       Case{"sheet_waves", "strain and stress waves in a strip", 1.0, true, sheet_waves},
+      Case{"sheet_with_hole", "a sheet with a hole: where its peak stress converges", 70.0, false,
+           sheet_with_hole},
       Case{"bar_pulse", "a pressure pulse in a bar, by d'Alembert", 2.0, true, bar_pulse},
       Case{"impedance", "a pulse at a change of density", 4.0, true, impedance},
       Case{"neo_hookean_wave", "a large wave, by characteristics", 3.0, true, neo_hookean_wave},

@@ -9,6 +9,7 @@ namespace tlsph {
 void large_stretch(CaseRun& run);
 void sheet_stretch(CaseRun& run);
 void sheet_waves(CaseRun& run);
+void sheet_with_hole(CaseRun& run);
 void bar_pulse(CaseRun& run);
 void impedance(CaseRun& run);
 void neo_hookean_wave(CaseRun& run);

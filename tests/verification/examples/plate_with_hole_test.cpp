@@ -1,5 +1,5 @@
 /// examples/plate_with_hole.toml: what its header promises. The references are finite elements at
-/// rest, printed by validation/plate_with_hole/stress_concentration.py.
+/// rest, printed by validation/sheet_with_hole/stress_concentration.py.
 
 #include <gtest/gtest.h>
 

@@ -14,7 +14,7 @@ it the Cauchy stress along the pull, because the edge itself is free (P_YY = 0).
 with the program it checks. Lengths are in hole radii (10 mm), stresses in units of Young's modulus
 (70 MPa).
 
-    python3 validation/plate_with_hole/stress_concentration.py
+    python3 validation/sheet_with_hole/stress_concentration.py
 
 prints, for 8 x 8, 16 x 16 and 32 x 32 elements: linear elastic sigma/t = 3.354, 3.359, 3.360 at
 small strains, whatever Poisson's ratio (a strip of endless length has 3.14, an endless sheet 3);
