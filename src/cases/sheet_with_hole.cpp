@@ -108,8 +108,8 @@ void judge(CaseRun& run, const std::string& text, double reference,
         fmt::format("{}, {:.0f} x {:.0f} cells", text, 0.05 / spacings[k], 0.05 / spacings[k]),
         values[k], reference);
   run.relative(source, text + ", 80 x 80 cells", reference, values.back(), 4e-3);
-  run.at_least(source, "its order of convergence", 1.4, order);
-  run.relative(source, "its limit (Richardson)", reference,
+  run.at_least(source, text + ", order of convergence", 1.4, order);
+  run.relative(source, text + ", Richardson limit", reference,
                richardson_limit(values[2], values[3], 2.0, order), 3e-3);
 }
 
