@@ -22,6 +22,8 @@ std::span<const Case> all_cases() {
       Case{"step_limit", "time steps around the stability limit", 5.0, true, step_limit},
       Case{"interpolation", "SPH sums of known functions", 1.0, true, interpolation},
       Case{"three_materials", "wave speeds of three materials", 2.0, true, three_materials},
+      Case{"mixed_kernels", "kernels of strain and stress that differ, and the mixed form", 11.0,
+           false, mixed_kernels},
       Case{"corrections", "corrected gradients, and which pairs keep momentum", 3.0, true,
            corrections},
       Case{"dispersion", "waves on a lattice and modes without energy", 1.0, true, dispersion},

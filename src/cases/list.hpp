@@ -16,6 +16,7 @@ void neo_hookean_wave(CaseRun& run);
 void step_limit(CaseRun& run);
 void three_materials(CaseRun& run);
 void corrections(CaseRun& run);
+void mixed_kernels(CaseRun& run);
 void interpolation(CaseRun& run);
 void dispersion(CaseRun& run);
 void swinging_plate(CaseRun& run);
