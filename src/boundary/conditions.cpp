@@ -22,8 +22,9 @@ template <int D>
 Load normal_traction(const Patch<D>& patch, const Curve& curve) {
   std::map<Index, double> weights;
   for (const Face<D>& face : patch.faces)
-    for (const int node : face.nodes)
-      for (int i = 0; i < D; ++i) weights[Index{node} * D + i] += face.area[i] / D;
+    for (std::size_t k = 0; k < D; ++k)
+      for (int i = 0; i < D; ++i)
+        weights[Index{face.nodes[k]} * D + i] += face.share[k] * face.area[i];
   return load_from(weights, curve);
 }
 
@@ -31,7 +32,8 @@ template <int D>
 Load component_traction(const Patch<D>& patch, int component, const Curve& curve) {
   std::map<Index, double> weights;
   for (const Face<D>& face : patch.faces)
-    for (const int node : face.nodes) weights[Index{node} * D + component] += face.area.norm() / D;
+    for (std::size_t k = 0; k < D; ++k)
+      weights[Index{face.nodes[k]} * D + component] += face.share[k] * face.area.norm();
   return load_from(weights, curve);
 }
 

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <utility>
 
 #include "tlsph/core/error.hpp"
+#include "tlsph/particles/moments.hpp"
 
 namespace tlsph {
 namespace {
@@ -64,6 +66,34 @@ Tensor<D> inverse_moment(const Tensor<D>& moment, double scale, const Vector<D>&
   for (int a = 0; a < D; ++a) limit *= scale;
   if (!(std::abs(det) > limit)) too_few_neighbours<D>(at, count, h);
   return moment.inverse();
+}
+
+/// Row s of the fit c·p(X_q − X_s), p the monomials up to degree 2 in units of h: the weights of
+/// the first derivatives.
+template <int D, class Family>
+void fit_row(const Family& family, const Neighbours& near, const VectorField<D>& points,
+             const VectorField<D>& X, Index s, double h, int order, std::vector<double>& weights) {
+  const auto exponents = monomials<D>(order);
+  const auto terms = static_cast<Index>(exponents.size());
+  const auto values = [&](const Vector<D>& difference) {
+    return monomial_values<D>(exponents, Vector<D>(-difference / h));
+  };
+  Eigen::MatrixXd moment = Eigen::MatrixXd::Zero(terms, terms);
+  for_row<D>(near, points, X, s, [&](Index, Index, const Vector<D>& difference) {
+    const Eigen::VectorXd p = values(difference);
+    moment += kernel_value<D>(family, difference.norm(), h) * p * p.transpose();
+  });
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(moment);
+  const auto row = static_cast<std::size_t>(s);
+  if (!(spectrum.eigenvalues()[0] > singular * spectrum.eigenvalues()[terms - 1]))
+    too_few_neighbours<D>(position<D>(points, s), near.start[row + 1] - near.start[row], h);
+  // The coefficients of the first derivatives are rows 1 … D of M⁻¹ Σ w p.
+  const Eigen::MatrixXd inverse =
+      moment.ldlt().solve(Eigen::MatrixXd::Identity(terms, terms)).middleRows(1, D) / h;
+  for_row<D>(near, points, X, s, [&](Index k, Index, const Vector<D>& difference) {
+    const double w = kernel_value<D>(family, difference.norm(), h);
+    store<D>(weights, k, Vector<D>(w * (inverse * values(difference))));
+  });
 }
 
 }  // namespace
@@ -193,12 +223,16 @@ VectorOperator<D> cell_gradient(const Particles<D>& particles, const MaterialPoi
 
 template <int D>
 VectorOperator<D> point_gradient(const AnyKernel& kernel, double h, const VectorField<D>& points,
-                                 const VectorField<D>& X) {
+                                 const VectorField<D>& X, int order) {
   Neighbours near = find_neighbours<D>(points, X, h);
   std::vector<double> weights(near.column.size() * D);
   std::visit(
       [&](const auto& family) {
         for (Index s = 0; s < points.rows(); ++s) {
+          if (order > 1) {
+            fit_row<D>(family, near, points, X, s, h, order, weights);
+            continue;
+          }
           // Centred on the weighted mean, the fit of c + g·(X − X̄) decouples: g = M⁻¹ Σ w (X − X̄)
           // f.
           double sum = 0.0;
@@ -238,7 +272,7 @@ VectorOperator<D> point_gradient(const AnyKernel& kernel, double h, const Vector
       const AnyKernel&, double, const VectorField<D>&, const ScalarField&, Correction);         \
   template VectorOperator<D> cell_gradient<D>(const Particles<D>&, const MaterialPoints<D>&);   \
   template VectorOperator<D> point_gradient<D>(const AnyKernel&, double, const VectorField<D>&, \
-                                               const VectorField<D>&);
+                                               const VectorField<D>&, int);
 TLSPH_INSTANTIATE(1)
 TLSPH_INSTANTIATE(2)
 #undef TLSPH_INSTANTIATE

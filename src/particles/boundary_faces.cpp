@@ -8,7 +8,8 @@ template <int D>
 VectorField<D> lumped_areas(Index nodes, const std::vector<Face<D>>& faces) {
   VectorField<D> B = VectorField<D>::Zero(nodes, D);
   for (const auto& face : faces)
-    for (const int node : face.nodes) B.row(node) += face.area.transpose() / D;
+    for (std::size_t k = 0; k < D; ++k)
+      B.row(face.nodes[k]) += face.share[k] * face.area.transpose();
   return B;
 }
 

@@ -115,14 +115,14 @@ BodyScene read_body(const TableView& view, int dimension, Formulation formulatio
   body.spacing = view.number("spacing");
   body.spacing_place = view.place_of("spacing");
   body.placement = view.choice<Placement>("placement");
-  const bool adjoint =
-      formulation == Formulation::stress_point || formulation == Formulation::variational;
-  const bool may_fit = adjoint && dimension == 2 && body.placement == Placement::on_boundary;
+  const bool may_fit =
+      is_adjoint(formulation) && dimension == 2 && body.placement == Placement::on_boundary;
   body.fit = view.has("fit") ? view.flag("fit") : may_fit;
   if (body.fit && !may_fit)
-    throw InputError(view.place_of("fit"),
-                     "nodes can follow the boundary in 2D, placed on it, with formulation = "
-                     "\"stress-point\" or \"variational\" only; allowed here: false");
+    throw InputError(
+        view.place_of("fit"),
+        "nodes can follow the boundary in 2D, placed on it, with formulation = "
+        "\"stress-point\", \"consistent\" or \"variational\" only; allowed here: false");
   body.jitter = view.number("jitter");
   body.seed = static_cast<std::uint64_t>(view.integer("seed"));
   for (const TableView& tag : view.tables("tags")) {

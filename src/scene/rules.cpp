@@ -53,9 +53,7 @@ void check_mirror(const Scene& scene) {
 
 /// Formulations with ghosts know one displacement for a whole edge.
 void check_held(const Scene& scene) {
-  if (scene.formulation == Formulation::variational ||
-      scene.formulation == Formulation::stress_point)
-    return;
+  if (is_adjoint(scene.formulation)) return;
   for (const auto& boundary : scene.boundaries)
     if (!boundary.held.empty())
       throw InputError(boundary.place,
@@ -67,13 +65,46 @@ void check_held(const Scene& scene) {
 
 void check_kernel(const Scene& scene, const TableView& root) {
   const TableView kernel = root.table("kernel");
-  const bool adjoint = scene.formulation == Formulation::variational ||
-                       scene.formulation == Formulation::stress_point;
+  const bool adjoint = is_adjoint(scene.formulation);
   if (!adjoint && scene.kernel.correction != GradientCorrection::none)
     throw InputError(kernel.place_of("correction"),
                      fmt::format("{} uses plain SPH sums; allowed: none (corrected gradients: "
                                  "variational)",
                                  name_of(scene.formulation)));
+}
+
+/// Gradients of degree two are least-squares fits over a support.
+void check_order(const Scene& scene, const TableView& root) {
+  if (scene.kernel.order == 1) return;
+  const Place place = root.table("kernel").place_of("order");
+  if (!is_adjoint(scene.formulation))
+    throw InputError(place, fmt::format("{} uses plain SPH sums; allowed: 1 (order 2: variational, "
+                                        "consistent or stress-point)",
+                                        name_of(scene.formulation)));
+  if (scene.kernel.correction != GradientCorrection::least_squares)
+    throw InputError(place, fmt::format("the correction \"{}\" is exact for linear fields only; "
+                                        "allowed: 1 (order 2: least-squares)",
+                                        name_of(scene.kernel.correction)));
+  if (!scene.kernel.support)
+    throw InputError(place, "the nodes of a cell determine no quadratic fit; give kernel.support");
+}
+
+void check_consistency(const Scene& scene) {
+  if (!scene.consistency) return;
+  const Place& place = scene.consistency->place;
+  if (!is_adjoint(scene.formulation))
+    throw InputError(place, fmt::format("{} has no adjoint to make exact; leave it out, or use "
+                                        "formulation = \"consistent\"",
+                                        name_of(scene.formulation)));
+  if (scene.formulation == Formulation::variational)
+    throw InputError(place,
+                     "variational gradients stay as they are; a corrected one is "
+                     "formulation = \"consistent\"");
+  if (scene.formulation == Formulation::stress_point &&
+      (scene.consistency->rows != 1 || scene.consistency->columns != 0))
+    throw InputError(place,
+                     "stress points are corrected to degrees [1, 0]; higher ones: "
+                     "formulation = \"consistent\"");
 }
 
 void check_placement(const Scene& scene, const TableView& root) {
@@ -85,10 +116,10 @@ void check_placement(const Scene& scene, const TableView& root) {
                      fmt::format("{} needs nodes on the boundary; allowed: on-boundary "
                                  "(cell-centred nodes: variational)",
                                  name));
-  if (scene.body.jitter > 0.0 && scene.formulation != Formulation::stress_point)
+  if (scene.body.jitter > 0.0 && !is_adjoint(scene.formulation))
     throw InputError(body.place_of("jitter"),
                      fmt::format("{} needs nodes on a lattice; allowed: 0 (irregular nodes: "
-                                 "variational or stress-point)",
+                                 "consistent, variational or stress-point)",
                                  name));
 }
 
@@ -112,8 +143,7 @@ void check_stabiliser(const Scene& scene, const TableView& root) {
       throw InputError(place,
                        "cell goes with the gradient over the nodes of each cell; leave "
                        "kernel.support out, or use pair");
-  } else if (scene.formulation != Formulation::variational &&
-             scene.formulation != Formulation::stress_point) {
+  } else if (!is_adjoint(scene.formulation)) {
     throw InputError(
         place, fmt::format("{} takes no stabiliser; allowed: none", name_of(scene.formulation)));
   }
@@ -209,6 +239,8 @@ void check_formulation(const Scene& scene, const TableView& root) {
   check_mirror(scene);
   check_held(scene);
   check_kernel(scene, root);
+  check_order(scene, root);
+  check_consistency(scene);
   check_placement(scene, root);
   check_stabiliser(scene, root);
 }

@@ -30,13 +30,18 @@ std::vector<Key> all_keys() {
       {"", "formulation", text, "", "", "\"stress-point\"", choices<Formulation>(),
        "which gradient and divergence matrices: thesis (SPH sums, ghosts, modified SPH matrix), "
        "mirror (SPH sums, ghosts folded into the matrices), variational (corrected gradient, "
-       "adjoint "
-       "divergence), stress-point (gradient at cell centres, adjoint divergence)"},
+       "adjoint divergence), consistent (the same, corrected so that its adjoint is exact too), "
+       "stress-point (gradient at cell centres, adjoint divergence)"},
       {"", "boundary_treatment", text, "", "", "\"consistent\"", choices<GhostTreatment>(),
        "thesis only: the modified SPH matrix with the coupling to the interior, as printed without "
        "it, or the eta corrections (1D)"},
       {"", "boundary_solver", text, "", "", "\"auto\"", choices<BoundarySolver>(),
        "thesis only: factorisation of the modified SPH matrix; auto tries cholmod, then umfpack"},
+      {"", "consistency", flag | numbers, "", "", "(consistent: [2, 1], in 1D [1, 1]; else false)",
+       "",
+       "degrees of the polynomials that the gradient and its adjoint are made exact for, [1, 0], "
+       "[1, 1] or [2, 1]; true: the default "
+       "for consistent, [1, 0] for stress-point"},
       {"", "gravity", numbers, "", "m/s^2", optional, "",
        "acceleration of the whole body, one number per dimension"},
       {"", "body", table, "body", "", required, "", "what is modelled"},
@@ -84,8 +89,12 @@ std::vector<Key> all_keys() {
 
       {"kernel", "family", text, "", "", "(wendland-c2; thesis and mirror: modified-mollifier)",
        kernel_choices(), "shape of the kernel"},
-      {"kernel", "support", number, "", "spacings", "(2.5; stress-point: the nodes of each cell)",
+      {"kernel", "support", number, "", "spacings",
+       "(2.5; consistent: 3.6, with linear gradients 2.6, in 1D 3.1; stress-point: the nodes of "
+       "each cell)",
        ">= 1", "full radius of the kernel"},
+      {"kernel", "order", integer, "", "", "(1; consistent: that of its rows)", "[1, 2]",
+       "degree of the polynomials a least-squares gradient is exact for"},
       {"kernel", "correction", text, "", "", "(least-squares; thesis and mirror: none)",
        choices<GradientCorrection>(),
        "gradients of collocated nodes: a fitted plane, the gradient or mixed correction of Bonet "
@@ -93,12 +102,14 @@ std::vector<Key> all_keys() {
        "Lok, or plain differences"},
 
       {"stabiliser", "kind", text, "", "",
-       "(2D: cell for stress-point on its cells, pair for variational; else none)",
+       "(consistent: pair; 2D: cell for stress-point on its cells, pair for variational; else "
+       "none)",
        choices<StabiliserKind>(),
        "pair: error of linear extrapolation between neighbours; cell: hourglass mode of a cell"},
       {"stabiliser", "coefficient", number | text, "", "", "\"auto\"", "auto | >= 0",
        "strength, as a share of the elastic one; auto: the value recommended for the kind"},
-      {"stabiliser", "as", text, "", "", "\"stiffness\"", choices<StabiliserAction>(),
+      {"stabiliser", "as", text, "", "", "(stiffness; consistent: viscosity)",
+       choices<StabiliserAction>(),
        "acts on displacements (conserves energy) or on velocities (dissipates)"},
 
       {"material", "law", text, "", "", "\"neo-hookean\"", choices<LawKind>(),

@@ -2,7 +2,9 @@
 
 #include "parts.hpp"
 #include "tlsph/boundary/mirror.hpp"
+#include "tlsph/operators/consistency.hpp"
 #include "tlsph/operators/gradients.hpp"
+#include "tlsph/particles/moments.hpp"
 #include "tlsph/particles/points.hpp"
 
 namespace tlsph {
@@ -46,6 +48,11 @@ SolverChoice solver_of(const Scene& scene) {
   return SolverChoice::automatic;
 }
 
+/// What integration by parts of the polynomials asks of the quadrature.
+QuadratureDegrees moments_of(const ConsistencyScene& degrees) {
+  return {degrees.rows + degrees.columns - 1, degrees.rows + degrees.columns};
+}
+
 AnyKernel kernel_of(const Scene& scene) {
   const auto kernel = kernel_by_name(scene.kernel.family);
   if (!kernel) throw InputError(scene.kernel.place, "no kernel of that name");
@@ -57,13 +64,22 @@ template <int D>
 void add_adjoint_operators(const Scene& scene, Discretisation<D>& disc) {
   const Particles<D>& particles = disc.particles;
   const double h = scene.kernel.support.value_or(0.0) * particles.spacing;
-  if (scene.formulation == Formulation::variational)
+  const Correction correction = correction_of(scene);
+  if (is_collocated(scene.formulation) && correction != Correction::least_squares)
     disc.gradient =
-        collocated_gradient<D>(kernel_of(scene), h, particles.X, particles.V, correction_of(scene));
+        collocated_gradient<D>(kernel_of(scene), h, particles.X, particles.V, correction);
   else if (scene.kernel.support)
-    disc.gradient = point_gradient<D>(kernel_of(scene), h, disc.points.X, particles.X);
+    disc.gradient =
+        point_gradient<D>(kernel_of(scene), h, disc.points.X, particles.X, scene.kernel.order);
   else
     disc.gradient = cell_gradient<D>(particles, disc.points);
+  if (scene.consistency) {
+    auto corrected = consistent_gradient<D>(disc.gradient, disc.points, particles,
+                                            {scene.consistency->rows, scene.consistency->columns},
+                                            scene.consistency->place);
+    disc.gradient = std::move(corrected.gradient);
+    disc.consistency = corrected.residuals;
+  }
   disc.divergence = disc.gradient.negative_adjoint(disc.points.V);
 }
 
@@ -97,11 +113,14 @@ template <int D>
 Discretisation<D> build(const Scene& scene) {
   Discretisation<D> disc;
   disc.particles = build_particles<D>(scene);
+  if (scene.consistency && is_collocated(scene.formulation))
+    disc.particles = with_exact_moments<D>(
+        std::move(disc.particles), moments_of(*scene.consistency),
+        scene.body.fit ? &std::get<Shape<D>>(scene.body.shape) : nullptr, scene.consistency->place);
   disc.spacing = disc.particles.spacing;
   disc.points = scene.formulation == Formulation::stress_point ? cell_points<D>(disc.particles)
                                                                : node_points<D>(disc.particles);
-  disc.adjoint = scene.formulation == Formulation::variational ||
-                 scene.formulation == Formulation::stress_point;
+  disc.adjoint = is_adjoint(scene.formulation);
   parts::add_materials<D>(scene, disc);
   parts::add_conditions<D>(scene, disc);
   if (disc.adjoint)

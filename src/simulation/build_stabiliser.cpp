@@ -13,6 +13,7 @@ namespace {
 constexpr double auto_cell_stiffness = 4.0 / 3.0;  // of E/(1−ν²): exact bending of a rectangle
 constexpr double auto_pair_stiffness = 0.1;        // of μ
 constexpr double auto_viscosity = 0.2;             // of ρ c_p Δ
+constexpr double auto_viscosity_quadratic = 0.1;   // the same beside gradients of order two
 
 /// Support of the narrow linear gradient the pair error is measured with, in spacings: it reaches
 /// the diagonal neighbours of a lattice.
@@ -37,14 +38,15 @@ double unit(const Scene& scene, const Discretisation<D>& disc, std::size_t k) {
              : material.young / (2.0 * (1.0 + material.poisson));
 }
 
-double automatic(const StabiliserScene& stabiliser) {
-  if (stabiliser.action == StabiliserAction::viscosity) return auto_viscosity;
-  return stabiliser.kind == StabiliserKind::cell ? auto_cell_stiffness : auto_pair_stiffness;
+double automatic(const Scene& scene) {
+  if (scene.stabiliser.action == StabiliserAction::viscosity)
+    return scene.kernel.order > 1 ? auto_viscosity_quadratic : auto_viscosity;
+  return scene.stabiliser.kind == StabiliserKind::cell ? auto_cell_stiffness : auto_pair_stiffness;
 }
 
 template <int D>
 ScalarField strengths(const Scene& scene, const Discretisation<D>& disc, const VectorField<D>& at) {
-  const double coefficient = scene.stabiliser.coefficient.value_or(automatic(scene.stabiliser));
+  const double coefficient = scene.stabiliser.coefficient.value_or(automatic(scene));
   ScalarField result(at.rows());
   for (Index s = 0; s < at.rows(); ++s) {
     const Vector<D> x = at.row(s).transpose();
@@ -60,9 +62,10 @@ void add_stabiliser(const Scene& scene, Discretisation<D>& disc) {
   const StabiliserScene& stabiliser = scene.stabiliser;
   if (stabiliser.kind == StabiliserKind::none) return;
   if (!disc.adjoint)
-    throw InputError(stabiliser.place,
-                     "a stabiliser goes with adjoint formulations (stress-point, variational); use "
-                     "kind = \"none\"");
+    throw InputError(
+        stabiliser.place,
+        "a stabiliser goes with adjoint formulations (stress-point, consistent, variational); use "
+        "kind = \"none\"");
   SparseMatrix S;
   if (stabiliser.kind == StabiliserKind::cell) {
     if constexpr (D == 2) {

@@ -41,6 +41,7 @@ void describe(const Scene& scene, const Discretisation<D>& disc, Summary& summar
   summary.version = version();
   summary.dimension = D;
   summary.formulation = name_of(scene.formulation);
+  summary.consistency = disc.consistency;
   summary.kernel = scene.kernel.family;
   summary.support = scene.kernel.support;
   summary.particles = disc.nodes();

@@ -72,7 +72,13 @@ std::string Summary::json() const {
   } else {
     tree.set("hyperbolicity_lost", nullptr);
   }
-  tree.set("consistency", nullptr);
+  if (consistency) {
+    tree.set("consistency.row_residual", consistency->row);
+    tree.set("consistency.column_residual", consistency->column);
+    tree.set("consistency.change", consistency->change);
+  } else {
+    tree.set("consistency", nullptr);
+  }
   if (boundary_solver.empty())
     tree.set("boundary_solver", nullptr);
   else

@@ -33,6 +33,7 @@ struct Variant {
   std::string correction;
   std::string kernel;  ///< empty: the nodes of a cell
   std::string support;
+  std::string consistency = {};  ///< degrees, "[1, 1]"
 
   [[nodiscard]] bool one_dimensional() const { return layout == "interval"; }
   [[nodiscard]] bool on_cells() const { return kernel.empty(); }
@@ -44,8 +45,11 @@ struct Variant {
   }
   [[nodiscard]] std::string name() const {
     std::string text = formulation + "_" + (on_cells() ? "cell" : kernel) +
-                       (correction.empty() ? "" : "_" + correction) + "_" + layout;
-    std::replace(text.begin(), text.end(), '-', '_');
+                       (correction.empty() ? "" : "_" + correction) + consistency + "_" + layout;
+    std::replace_if(
+        text.begin(), text.end(),
+        [](char c) { return std::string_view("-[, ").find(c) != std::string_view::npos; }, '_');
+    std::erase(text, ']');
     return text;
   }
 };
@@ -81,8 +85,9 @@ inline std::string body_of(const std::string& layout) {
 /// The scene of a free body at rest; `end` is nothing that matters to `build`.
 inline Scene scene_of(const Variant& variant, const std::vector<std::string>& overrides = {}) {
   std::string text = variant.one_dimensional() ? "dimension = 1\n" : "dimension = 2\n";
-  text += "formulation = \"" + variant.formulation + "\"\n[body]\n" + body_of(variant.layout) +
-          "spacing = 0.02\n";
+  text += "formulation = \"" + variant.formulation + "\"\n";
+  if (!variant.consistency.empty()) text += "consistency = " + variant.consistency + "\n";
+  text += "[body]\n" + body_of(variant.layout) + "spacing = 0.02\n";
   if (!variant.kernel.empty()) {
     text += "[kernel]\nfamily = \"" + variant.kernel + "\"\nsupport = " + variant.support + "\n";
     if (!variant.correction.empty()) text += "correction = \"" + variant.correction + "\"\n";
@@ -93,11 +98,23 @@ inline Scene scene_of(const Variant& variant, const std::vector<std::string>& ov
   return read_scene_text(text, variant.name(), overrides);
 }
 
+/// Overrides for a stabiliser of that kind that acts as stiffness; "none" acts as nothing.
+inline std::vector<std::string> as_stiffness(const std::string& kind) {
+  std::vector<std::string> overrides = {"stabiliser.kind=" + kind};
+  if (kind != "none") overrides.emplace_back("stabiliser.as=stiffness");
+  return overrides;
+}
+
 /// Every kernel × layout × formulation with an adjoint force operator.
 inline std::vector<Variant> adjoint_variants() {
   std::vector<Variant> variants;
   for (const char* layout : {"interval", "box", "jittered", "disc", "hole"}) {
     variants.push_back({layout, "stress-point", "", "", ""});
+    for (const char* degrees : {"[1, 0]", "[1, 1]"})
+      variants.push_back({layout, "consistent", "", "wendland-c2", "3.1", degrees});
+    if (std::string_view(layout) != "interval")
+      variants.push_back({layout, "consistent", "", "wendland-c2", "3.6", "[2, 1]"});
+    variants.push_back({layout, "stress-point", "", "wendland-c2", "2.1", "true"});
     for (const std::string_view kernel : kernel_names()) {
       variants.push_back({layout, "stress-point", "", std::string(kernel), "2.1"});
       for (const char* correction : {"least-squares", "gradient", "mixed", "none"})

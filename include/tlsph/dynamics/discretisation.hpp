@@ -8,12 +8,14 @@
 /// changes.
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "tlsph/boundary/conditions.hpp"
 #include "tlsph/boundary/ghosts.hpp"
 #include "tlsph/materials/any_law.hpp"
+#include "tlsph/operators/consistency.hpp"
 #include "tlsph/operators/vector_operator.hpp"
 #include "tlsph/particles/particles.hpp"
 
@@ -33,9 +35,10 @@ struct Discretisation {
   MaterialPoints<D> points;
   double spacing = 0.0;  ///< Δ [m]
 
-  VectorOperator<D> gradient;    ///< G, M×N [1/m]
-  VectorOperator<D> divergence;  ///< D, N×M [m^(d−1)]
-  bool adjoint = true;           ///< D = −Gᵀ V_s
+  VectorOperator<D> gradient;                       ///< G, M×N [1/m]
+  VectorOperator<D> divergence;                     ///< D, N×M [m^(d−1)]
+  bool adjoint = true;                              ///< D = −Gᵀ V_s
+  std::optional<ConsistencyResiduals> consistency;  ///< of a corrected gradient
   SparseMatrix stiffness;  ///< S, N×N [N/m per thickness], 0×0 if off; same for all components
   SparseMatrix viscosity;  ///< C, N×N [kg/s], 0×0 if off
   std::shared_ptr<const GhostGradient<D>> ghosts;  ///< replaces G in the `thesis` formulation

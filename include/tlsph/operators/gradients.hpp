@@ -45,13 +45,14 @@ template <int D>
 [[nodiscard]] VectorOperator<D> cell_gradient(const Particles<D>& particles,
                                               const MaterialPoints<D>& points);
 
-/// Gradient at material points by a linear moving-least-squares fit over all nodes within `h` [m],
-/// weights W(r) without volumes: half volumes at the boundary would undo the adjoint's balance
+/// Gradient at material points by a moving-least-squares fit of a polynomial of degree `order` (1
+/// or 2) over all nodes within `h` [m]: exact for polynomials of that degree. Weights W(r) without
+/// volumes: half volumes at the boundary would undo the adjoint's balance
 /// there (swinging plate, collocated, n = 32: stress error 1.6e-1 with them, 1.7e-2 without).
 /// InputError where a point has too few neighbours.
 template <int D>
 [[nodiscard]] VectorOperator<D> point_gradient(const AnyKernel& kernel, double h,
                                                const VectorField<D>& points,
-                                               const VectorField<D>& X);
+                                               const VectorField<D>& X, int order = 1);
 
 }  // namespace tlsph

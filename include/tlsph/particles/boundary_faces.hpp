@@ -34,7 +34,7 @@ template <int D>
 [[nodiscard]] std::vector<Patch<D>> make_patches(const std::vector<LabelledFace<D>>& faces,
                                                  std::size_t holes);
 
-/// N×d lumped area vectors: each face gives equal shares to its ends.
+/// N×d lumped area vectors: each face gives its ends their shares.
 template <int D>
 [[nodiscard]] VectorField<D> lumped_areas(Index nodes, const std::vector<Face<D>>& faces);
 

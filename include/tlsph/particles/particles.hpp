@@ -38,12 +38,23 @@ struct LatticeFrame {
   }
 };
 
+namespace detail {
+template <int D>
+constexpr std::array<double, D> equal_shares() {
+  std::array<double, D> shares{};
+  for (double& share : shares) share = 1.0 / D;
+  return shares;
+}
+}  // namespace detail
+
 /// A piece of the boundary between neighbouring boundary nodes.
 template <int D>
 struct Face {
   std::array<int, D>
       nodes;       ///< its end nodes (twice the same one for cell-centred particles in 2D)
   Vector<D> area;  ///< outward area vector [m^(d−1)], reference configuration
+  /// Part of the area that each end node stands for; equal ones are the trapezoidal rule.
+  std::array<double, D> share = detail::equal_shares<D>();
 };
 
 /// A named part of the boundary (`left`, `right`, `bottom`, `top`: on the edges of the bounding

@@ -21,9 +21,10 @@ struct Names;
 
 template <>
 struct Names<Formulation> {
-  static constexpr NameList<Formulation, 4> list = {{{"thesis", Formulation::thesis},
+  static constexpr NameList<Formulation, 5> list = {{{"thesis", Formulation::thesis},
                                                      {"mirror", Formulation::mirror},
                                                      {"variational", Formulation::variational},
+                                                     {"consistent", Formulation::consistent},
                                                      {"stress-point", Formulation::stress_point}}};
 };
 template <>

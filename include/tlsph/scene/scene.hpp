@@ -16,7 +16,15 @@
 
 namespace tlsph {
 
-enum class Formulation { thesis, mirror, variational, stress_point };
+enum class Formulation { thesis, mirror, variational, consistent, stress_point };
+/// D = −GᵀV, boundaries natural; the others extend the fields by ghosts.
+[[nodiscard]] constexpr bool is_adjoint(Formulation formulation) {
+  return formulation != Formulation::thesis && formulation != Formulation::mirror;
+}
+/// Stress at the nodes themselves.
+[[nodiscard]] constexpr bool is_collocated(Formulation formulation) {
+  return formulation != Formulation::stress_point;
+}
 /// How `thesis` closes its boundary: the modified SPH matrix (2.46) with the coupling to the inner
 /// particles that is missing in print, the same as printed, or the η corrections (2.42), (2.45) in
 /// 1D.
@@ -53,8 +61,15 @@ struct BodyScene {
 struct KernelScene {
   std::string family;  // default by formulation
   std::optional<double>
-      support;  // full radius in spacings; empty = nodes of the cell (stress-point)
+      support;    // full radius in spacings; empty = nodes of the cell (stress-point)
+  int order = 1;  // of the polynomials a least-squares gradient is exact for
   GradientCorrection correction = GradientCorrection::least_squares;
+  Place place;
+};
+
+/// Degrees of the polynomials that the gradient and its adjoint are made exact for.
+struct ConsistencyScene {
+  int rows = 1, columns = 0;
   Place place;
 };
 
@@ -151,6 +166,7 @@ struct Scene {
   Place formulation_place, boundary_solver_place;
   BodyScene body;
   KernelScene kernel;
+  std::optional<ConsistencyScene> consistency;  // empty: gradients stay as they are
   StabiliserScene stabiliser;
   std::vector<MaterialScene> materials;
   std::vector<BoundaryScene> boundaries;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tlsph/core/types.hpp"
+#include "tlsph/operators/consistency.hpp"
 
 namespace tlsph {
 
@@ -56,6 +57,8 @@ struct Summary {
   EnergyLedger energy;
   double linear_momentum_drift = 0.0, angular_momentum_drift = 0.0;
   std::optional<FieldErrors> errors;
+  /// What is left of the constraints of a corrected gradient, lengths in spacings.
+  std::optional<ConsistencyResiduals> consistency;
   std::optional<HyperbolicityLoss> hyperbolicity_lost;  ///< by the material; never by linear laws
   std::string boundary_solver;  ///< what factorised the modified SPH matrix, empty otherwise
   std::string failure;          ///< empty when all went well

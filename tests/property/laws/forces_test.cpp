@@ -11,7 +11,7 @@ namespace {
 template <class Use>
 void for_materials(const Variant& variant, const Use& use) {
   for (const std::string& kind : {std::string("none"), variant.stabiliser()})
-    discretised(scene_of(variant, {"stabiliser.kind=" + kind}), [&](auto disc) {
+    discretised(scene_of(variant, as_stiffness(kind)), [&](auto disc) {
       for (const Material& material : materials()) {
         SCOPED_TRACE(std::string(material.law) + ' ' + material.assumption + ", stabiliser " +
                      kind);

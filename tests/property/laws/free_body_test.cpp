@@ -13,8 +13,8 @@ constexpr long every = 10;
 constexpr double share_of_critical = 0.9;
 /// `fine`: about 150 particles instead of 30 to 80. A bar always has 41.
 Scene free_scene(const Variant& variant, const char* law, bool fine = false) {
-  std::vector<std::string> overrides = {"stabiliser.kind=" + variant.stabiliser(),
-                                        std::string("material.law=") + law};
+  std::vector<std::string> overrides = as_stiffness(variant.stabiliser());
+  overrides.push_back(std::string("material.law=") + law);
   const bool round = variant.layout == "disc" || variant.layout == "hole";
   if (fine && round)
     overrides.emplace_back("body.spacing=0.0133333333");
@@ -153,12 +153,16 @@ TEST_P(FreeBody, NeoHookeanKeepsEnergyAndMomenta) {
 
 INSTANTIATE_TEST_SUITE_P(, FreeBody, testing::ValuesIn(adjoint_variants()), ByName());
 
-/// Operators a user gets who does not ask for others, and their next of kin.
+/// Operators a user gets who does not ask for others, and their next of kin. (Corrected gradients
+/// of degrees (1, 0) and (2, 1) keep the other laws; on the round bodies their vibrations
+/// resonate.)
 std::vector<Variant> usual_variants() {
   std::vector<Variant> chosen;
   for (const Variant& variant : adjoint_variants())
-    if (variant.on_cells() || (variant.kernel == "wendland-c2" && variant.linear_exact() &&
-                               variant.correction != "mixed"))
+    if (variant.on_cells() ||
+        (variant.kernel == "wendland-c2" && variant.linear_exact() &&
+         variant.correction != "mixed" &&
+         (variant.formulation != "consistent" || variant.consistency == "[1, 1]")))
       chosen.push_back(variant);
   return chosen;
 }

@@ -54,7 +54,7 @@ TEST_P(StabiliserLaws, IsPositiveSemiDefinite) {
 /// With the stabiliser as stiffness nothing but a rigid motion is free of energy.
 TEST_P(StabiliserLaws, LeavesRigidMotionsAsOnlyZeroModes) {
   if (!GetParam().linear_exact()) GTEST_SKIP() << "does not see a rotation as one";
-  discretised(scene_of(GetParam(), {"stabiliser.kind=" + GetParam().stabiliser()}),
+  discretised(scene_of(GetParam(), as_stiffness(GetParam().stabiliser())),
               []<int D>(const Discretisation<D>& disc) {
                 const Eigen::MatrixXd K = dense_stiffness<D>(disc);
 

@@ -36,11 +36,12 @@ TEST(BarWave, StartsAtRestInOneMaterialWithoutGravity) {
 }
 
 TEST(BarWave, NeedsRollersIn2D) {
-  std::vector<std::string> changes = {wave, loaded_left,
-                                      "boundary[1]={where=\"top\", symmetry=true}"};
+  std::vector<std::string> changes(2, wave);
+  changes[1] = loaded_left;
+  changes.emplace_back("boundary[1]={where=\"top\", symmetry=true}");
   EXPECT_THROW(static_cast<void>(sheet_with(changes)), InputError);
 
-  changes.push_back("boundary[2]={where=\"bottom\", fixed=\"y\"}");
+  changes.emplace_back("boundary[2]={where=\"bottom\", fixed=\"y\"}");
   EXPECT_NO_THROW(static_cast<void>(sheet_with(changes)));
 
   changes.back() = "boundary[2]={where=\"bottom\", fixed=true}";

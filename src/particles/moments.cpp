@@ -1,0 +1,230 @@
+#include "tlsph/particles/moments.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/QR>
+#include <cmath>
+#include <map>
+
+#include "tlsph/geometry/outline.hpp"
+#include "tlsph/particles/boundary_faces.hpp"
+
+namespace tlsph {
+namespace {
+
+/// Gauss–Legendre with four points on [0, 1], exact to degree seven.
+constexpr std::array<double, 4> gauss_point = {0.06943184420297371, 0.33000947820757187,
+                                               0.66999052179242813, 0.93056815579702629};
+constexpr std::array<double, 4> gauss_weight = {0.17392742256872693, 0.32607257743127307,
+                                                0.32607257743127307, 0.17392742256872693};
+
+/// Relative residual of the moments that counts as met.
+constexpr double met = 1e-12;
+constexpr int rounds = 3;
+
+/// Coordinates about the middle of the body in units of its half size, so that monomials stay of
+/// order one.
+template <int D>
+struct LocalFrame {
+  Vector<D> middle;
+  double size = 1.0;
+  explicit LocalFrame(const VectorField<D>& X) {
+    const Vector<D> lower = X.colwise().minCoeff().transpose();
+    const Vector<D> upper = X.colwise().maxCoeff().transpose();
+    middle = 0.5 * (lower + upper);
+    size = 0.5 * (upper - lower).maxCoeff();
+  }
+  [[nodiscard]] Vector<D> operator()(const Vector<D>& X) const { return (X - middle) / size; }
+};
+
+template <int D>
+using Exponents = std::vector<std::array<int, D>>;
+
+/// A point of a quadrature over the boundary with the area vector it stands for.
+template <int D>
+struct BoundaryPoint {
+  Vector<D> X;
+  Vector<D> area;
+};
+
+template <int D>
+using BoundaryRule = std::vector<BoundaryPoint<D>>;
+
+/// Along the faces between particles; exact for polynomials of degree seven.
+template <int D>
+BoundaryRule<D> along_faces(const VectorField<D>& X, const std::vector<Face<D>>& faces) {
+  BoundaryRule<D> rule;
+  for (const Face<D>& face : faces) {
+    const Vector<D> from = X.row(face.nodes[0]).transpose();
+    if constexpr (D == 1) {
+      rule.push_back({from, face.area});
+    } else {
+      const Vector<2> to = X.row(face.nodes[1]).transpose();
+      for (std::size_t k = 0; k < gauss_point.size(); ++k)
+        rule.push_back({from + gauss_point[k] * (to - from), gauss_weight[k] * face.area});
+    }
+  }
+  return rule;
+}
+
+/// Along the outline of a shape, to rounding on its arcs too.
+BoundaryRule<2> along_outline(const Shape<2>& shape) {
+  constexpr double longest_sweep = 0.05;
+  BoundaryRule<2> rule;
+  for (const OutlinePiece& piece : outline(shape)) {
+    const int parts =
+        piece.is_arc() ? static_cast<int>(std::ceil(std::abs(piece.sweep) / longest_sweep)) : 1;
+    for (int part = 0; part < parts; ++part)
+      for (std::size_t k = 0; k < gauss_point.size(); ++k) {
+        const double t = (part + gauss_point[k]) / parts;
+        rule.push_back({piece.at(t), gauss_weight[k] * piece.length() / parts * piece.normal(t)});
+      }
+  }
+  return rule;
+}
+
+/// The least x with Σ x²/weight and A x = r, A (conditions × unknowns).
+Eigen::VectorXd least_change(const Eigen::MatrixXd& A, const Eigen::VectorXd& weight,
+                             const Eigen::VectorXd& r) {
+  const Eigen::MatrixXd gram = A * weight.asDiagonal() * A.transpose();
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver(gram);
+  solver.setThreshold(1e-11);  // conditions that depend on others, as x² and x on a straight edge
+  return weight.asDiagonal() * (A.transpose() * solver.solve(r));
+}
+
+/// Volumes: ∫ X^β dV by the divergence theorem along the first coordinate.
+template <int D>
+void correct_volumes(Particles<D>& particles, const BoundaryRule<D>& boundary, int degree,
+                     const Place& place) {
+  const LocalFrame<D> local(particles.X);
+  const Exponents<D> exponents = monomials<D>(degree);
+  const auto conditions = static_cast<Index>(exponents.size());
+  Eigen::VectorXd exact = Eigen::VectorXd::Zero(conditions);
+  for (const auto& [X, area] : boundary) {
+    const Vector<D> x = local(X);
+    const Eigen::VectorXd values = monomial_values<D>(exponents, x);
+    for (Index k = 0; k < conditions; ++k)
+      exact[k] +=
+          area[0] * local.size * values[k] * x[0] / (exponents[static_cast<std::size_t>(k)][0] + 1);
+  }
+  Eigen::MatrixXd A(conditions, particles.size());
+  for (Index q = 0; q < particles.size(); ++q)
+    A.col(q) = monomial_values<D>(exponents, local(particles.X.row(q).transpose()));
+  for (int round = 0; round < rounds; ++round)
+    particles.V += least_change(A, particles.V, exact - A * particles.V);
+  const double left = (exact - A * particles.V).cwiseAbs().maxCoeff() / particles.V.sum();
+  if (!(left <= met))
+    throw InputError(place, fmt::format("node volumes cannot integrate polynomials of degree {} "
+                                        "exactly (residual {:.1e}); choose a finer spacing",
+                                        degree, left));
+  if (!(particles.V.minCoeff() > 0.0))
+    throw InputError(place,
+                     "a node volume exact for polynomials would not be positive; choose a "
+                     "finer spacing");
+}
+
+/// Shares: one a face end, along the normal of the face.
+template <int D>
+void correct_shares(const VectorField<D>& X, std::vector<Face<D>>& faces,
+                    const BoundaryRule<D>& boundary, int degree, const Place& place) {
+  const LocalFrame<D> local(X);
+  const Exponents<D> exponents = monomials<D>(degree);
+  const auto count = static_cast<Index>(exponents.size());
+  const auto unknowns = static_cast<Index>(faces.size()) * D;
+  Eigen::MatrixXd A(count * D, unknowns);
+  Eigen::VectorXd exact = Eigen::VectorXd::Zero(count * D);
+  Eigen::VectorXd shares(unknowns);
+  Eigen::VectorXd weight(unknowns);
+  for (const auto& [at, area] : boundary) {
+    const Eigen::VectorXd values = monomial_values<D>(exponents, local(at));
+    for (int a = 0; a < D; ++a) exact.segment(a * count, count) += area[a] * values;
+  }
+  double total = 0.0;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const Face<D>& face = faces[f];
+    total += face.area.norm();
+    for (std::size_t k = 0; k < D; ++k) {
+      const Index column = static_cast<Index>(f) * D + static_cast<Index>(k);
+      const Eigen::VectorXd values =
+          monomial_values<D>(exponents, local(X.row(face.nodes[k]).transpose()));
+      for (int a = 0; a < D; ++a) A.col(column).segment(a * count, count) = face.area[a] * values;
+      shares[column] = face.share[k];
+      weight[column] = 1.0 / face.area.norm();
+    }
+  }
+  for (int round = 0; round < rounds; ++round)
+    shares += least_change(A, weight, exact - A * shares);
+  const double left = (exact - A * shares).cwiseAbs().maxCoeff() / total;
+  if (!(left <= met))
+    throw InputError(place, fmt::format("boundary areas cannot integrate polynomials of degree {} "
+                                        "exactly (residual {:.1e}); choose a finer spacing",
+                                        degree, left));
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    for (std::size_t k = 0; k < D; ++k)
+      faces[f].share[k] = shares[static_cast<Index>(f) * D + static_cast<Index>(k)];
+}
+
+}  // namespace
+
+template <>
+std::vector<std::array<int, 1>> monomials<1>(int degree) {
+  std::vector<std::array<int, 1>> exponents;
+  for (int k = 0; k <= degree; ++k) exponents.push_back({k});
+  return exponents;
+}
+
+template <>
+std::vector<std::array<int, 2>> monomials<2>(int degree) {
+  std::vector<std::array<int, 2>> exponents;
+  for (int total = 0; total <= degree; ++total)
+    for (int i = total; i >= 0; --i) exponents.push_back({i, total - i});
+  return exponents;
+}
+
+template <int D>
+Eigen::VectorXd monomial_values(const std::vector<std::array<int, D>>& exponents,
+                                const Vector<D>& X) {
+  Eigen::VectorXd values(static_cast<Index>(exponents.size()));
+  for (Index k = 0; k < values.size(); ++k) {
+    double product = 1.0;
+    for (std::size_t a = 0; a < D; ++a)
+      for (int times = 0; times < exponents[static_cast<std::size_t>(k)][a]; ++times)
+        product *= X[static_cast<Index>(a)];
+    values[k] = product;
+  }
+  return values;
+}
+
+template <int D>
+Particles<D> with_exact_moments(Particles<D> particles, QuadratureDegrees degrees,
+                                const Shape<D>* shape, const Place& place) {
+  const Patch<D>* boundary = particles.find("boundary");
+  if (boundary == nullptr || particles.placement == NodePlacement::cell_centred)
+    throw InputError(place,
+                     "exact moments need particles on the boundary; use body.placement = "
+                     "\"on-boundary\"");
+  std::vector<Face<D>> faces = boundary->faces;
+  BoundaryRule<D> rule;
+  if constexpr (D == 2)
+    if (shape != nullptr) rule = along_outline(*shape);
+  if (rule.empty()) rule = along_faces<D>(particles.X, faces);
+  correct_volumes<D>(particles, rule, degrees.volume, place);
+  correct_shares<D>(particles.X, faces, rule, degrees.boundary, place);
+  std::map<std::array<int, D>, std::array<double, D>> shares;
+  for (const Face<D>& face : faces) shares[face.nodes] = face.share;
+  for (Patch<D>& patch : particles.patches)
+    for (Face<D>& face : patch.faces) face.share = shares.at(face.nodes);
+  particles.B = lumped_areas<D>(particles.size(), faces);
+  return particles;
+}
+
+template Eigen::VectorXd monomial_values<1>(const std::vector<std::array<int, 1>>&,
+                                            const Vector<1>&);
+template Eigen::VectorXd monomial_values<2>(const std::vector<std::array<int, 2>>&,
+                                            const Vector<2>&);
+template Particles<1> with_exact_moments<1>(Particles<1>, QuadratureDegrees, const Shape<1>*,
+                                            const Place&);
+template Particles<2> with_exact_moments<2>(Particles<2>, QuadratureDegrees, const Shape<2>*,
+                                            const Place&);
+
+}  // namespace tlsph
