@@ -55,7 +55,7 @@ def draw(folder):
     stretch, stress = history(folder / "stress-point-0.49")
     curves.plot(stretch, stress, color=COLOURS[0], linewidth=0.6)
     curves.axvline(LIMITS[0], color=FAINT, linewidth=0.9, linestyle=":")
-    curves.annotate("dP/dF = 0\nat ν = 0.49", (LIMITS[0], 1020), xytext=(4, 0), textcoords="offset points",
+    curves.annotate("dP/dF = 0\nat ν = 0.49", (LIMITS[0], 25), xytext=(4, 0), textcoords="offset points",
                     color=FAINT, fontsize=8)
     curves.set(title="Without waves, in 300 transits", ylim=(0, None))
 
