@@ -18,7 +18,7 @@ EDGES = [(64, "very low gradient"), (16, "low"), (4, "high"), (1, "discontinuous
 
 
 def draw(folder):
-    figure = plt.figure(figsize=(0.84 * WIDTH, 4.1))
+    figure = plt.figure(figsize=(0.83 * WIDTH, 4.05))
     upper, lower = figure.add_gridspec(2, 1, height_ratios=[1.15, 1])
     bare, ends, orders = upper.subgridspec(1, 3).subplots()
     edges = lower.subgridspec(1, 4).subplots(sharey=True)

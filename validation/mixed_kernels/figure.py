@@ -46,7 +46,7 @@ def draw(folder):
                        va="center", fontsize=7.5, color=INK if rate > 1e-5 else "white")
     labels = [label for _, label, _ in FAMILIES]
     pairs.set(xticks=range(3), yticks=range(3), xticklabels=labels, yticklabels=labels, xlabel="stress",
-              ylabel="strain", title=r"Growth at rest, reference [$c/\Delta$]")
+              ylabel="strain", title=r"At rest, reference [$c/\Delta$]")
     pairs.grid(False)
 
     data = table(folder / "reinterpolated.csv")
