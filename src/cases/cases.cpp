@@ -29,6 +29,8 @@ std::span<const Case> all_cases() {
       Case{"dispersion", "waves on a lattice and modes without energy", 1.0, true, dispersion},
       Case{"swinging_plate", "a plate that swings without changing its volume", 3.0, true,
            swinging_plate},
+      Case{"consistency", "irregular particles, with and without an exact adjoint", 40.0, false,
+           consistency},
       Case{"satellite", "a free body spins", 30.0, false, satellite},
       Case{"tensile_instability", "a prestressed bar, one particle displaced", 1.0, true,
            tensile_instability},

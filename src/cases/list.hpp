@@ -20,6 +20,7 @@ void mixed_kernels(CaseRun& run);
 void interpolation(CaseRun& run);
 void dispersion(CaseRun& run);
 void swinging_plate(CaseRun& run);
+void consistency(CaseRun& run);
 void satellite(CaseRun& run);
 void tensile_instability(CaseRun& run);
 void swegle(CaseRun& run);
