@@ -6,6 +6,7 @@
 #include "run_loop.hpp"
 #include "stopwatch.hpp"
 #include "tlsph/io/files.hpp"
+#include "tlsph/linear/blas_threads.hpp"
 #include "tlsph/scene/names.hpp"
 #include "tlsph/simulation/builder.hpp"
 #include "tlsph/simulation/version.hpp"
@@ -61,6 +62,7 @@ template <int D>
 Summary run_in(const Scene& scene, const RunOptions& options) {
   const Stopwatch setup;
   const ThreadCount threads(options.threads > 0 ? options.threads : omp_get_max_threads());
+  if (options.threads > 0) set_blas_threads(options.threads);
   const auto disc = build<D>(scene);
   if (options.threads == 0 && disc.nodes() < one_thread_below) omp_set_num_threads(1);
   Summary summary;

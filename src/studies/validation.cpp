@@ -16,6 +16,7 @@
 #include "checks_file.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/io/files.hpp"
+#include "tlsph/linear/blas_threads.hpp"
 #include "tlsph/simulation/version.hpp"
 #include "tlsph/studies/figure.hpp"
 
@@ -153,6 +154,7 @@ class Validation {
       throw OutputError(fmt::format("no process for {}: {}", entry.name, std::strerror(errno)));
     if (process == 0) {
       for (const int number : {SIGINT, SIGTERM}) std::signal(number, SIG_DFL);
+      set_blas_threads(1);
       int code = EXIT_FAILURE;
       try {
         checks_json(result_of(entry, folder_, options_)).write(handed_over(options_, entry));
