@@ -181,8 +181,7 @@ TEST_P(ResolvedFreeBody, NeoHookeanEnergyHasNoTrend) {
   expect_momenta(run, GetParam());
 }
 
-/// A body that travels and turns on its way keeps its momenta. (Its stabiliser would add the
-/// round-off of S u, which grows with the way: 1e-9 over three spacings.)
+/// A body that travels and turns on its way keeps its momenta.
 TEST_P(ResolvedFreeBody, KeepsItsMomentaInFlight) {
   for (const char* law : {"linear-elastic", "neo-hookean"})
     discretised(scene_of(GetParam(), {std::string("material.law=") + law}),
