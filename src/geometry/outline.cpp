@@ -206,6 +206,33 @@ std::vector<OutlinePiece> outline(const Shape<2>& shape) {
   return pieces;
 }
 
+std::vector<OutlineLoop> outline_loops(const Shape<2>& shape) {
+  std::vector<OutlinePiece> pieces = outline(shape);
+  std::vector<OutlineLoop> loops;
+  while (!pieces.empty()) {
+    OutlineLoop loop = {pieces.back()};
+    pieces.pop_back();
+    for (;;) {
+      const Vector<2> end = loop.back().to;
+      // Ends that ought to be one point are; the nearest start is robust against their rounding.
+      const auto gap = [&](const OutlinePiece& piece) { return (piece.from - end).squaredNorm(); };
+      const auto next =
+          std::min_element(pieces.begin(), pieces.end(),
+                           [&](const auto& a, const auto& b) { return gap(a) < gap(b); });
+      if (next == pieces.end() || gap(*next) >= gap(loop.front())) break;
+      loop.push_back(*next);
+      pieces.erase(next);
+    }
+    loops.push_back(std::move(loop));
+  }
+  return loops;
+}
+
+bool is_corner(const OutlinePiece& piece, const OutlinePiece& next) {
+  constexpr double cosine = 0.94;  // 20°
+  return piece.normal(1.0).dot(next.normal(0.0)) < cosine;
+}
+
 double enclosed_area(const std::vector<OutlinePiece>& pieces) {
   if (pieces.empty()) return 0.0;
   const Vector<2> origin = pieces.front().from;  // near the shape: no digits lost far from zero

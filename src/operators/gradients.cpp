@@ -189,39 +189,6 @@ VectorOperator<D> collocated_gradient(const AnyKernel& kernel, double h, const V
 }
 
 template <int D>
-VectorOperator<D> cell_gradient(const Particles<D>& particles, const MaterialPoints<D>& points) {
-  constexpr int corners = 1 << D;
-  Neighbours pattern;
-  pattern.start.push_back(0);
-  std::vector<double> weights;
-  weights.reserve(particles.cells.size() * corners * D);
-  for (std::size_t s = 0; s < particles.cells.size(); ++s) {
-    const Cell<D>& cell = particles.cells[s];
-    std::array<std::pair<int, Vector<D>>, corners> entries;
-    for (int c = 0; c < corners; ++c) {
-      Vector<D> weight;
-      if constexpr (D == 1) {
-        weight[0] = c == 0 ? -1.0 : 1.0;
-      } else {
-        const auto next = particles.X.row(cell[static_cast<std::size_t>((c + 1) % 4)]);
-        const auto last = particles.X.row(cell[static_cast<std::size_t>((c + 3) % 4)]);
-        weight << 0.5 * (next[1] - last[1]), -0.5 * (next[0] - last[0]);
-      }
-      entries[static_cast<std::size_t>(c)] = {cell[static_cast<std::size_t>(c)],
-                                              weight / points.V[static_cast<Index>(s)]};
-    }
-    std::sort(entries.begin(), entries.end(),
-              [](const auto& a, const auto& b) { return a.first < b.first; });
-    for (const auto& [node, weight] : entries) {
-      pattern.column.push_back(node);
-      for (int a = 0; a < D; ++a) weights.push_back(weight[a]);
-    }
-    pattern.start.push_back(static_cast<Index>(pattern.column.size()));
-  }
-  return VectorOperator<D>(points.size(), particles.size(), std::move(pattern), std::move(weights));
-}
-
-template <int D>
 VectorOperator<D> point_gradient(const AnyKernel& kernel, double h, const VectorField<D>& points,
                                  const VectorField<D>& X, int order) {
   Neighbours near = find_neighbours<D>(points, X, h);
@@ -270,7 +237,6 @@ VectorOperator<D> point_gradient(const AnyKernel& kernel, double h, const Vector
                                                const ScalarField&);                             \
   template VectorOperator<D> collocated_gradient<D>(                                            \
       const AnyKernel&, double, const VectorField<D>&, const ScalarField&, Correction);         \
-  template VectorOperator<D> cell_gradient<D>(const Particles<D>&, const MaterialPoints<D>&);   \
   template VectorOperator<D> point_gradient<D>(const AnyKernel&, double, const VectorField<D>&, \
                                                const VectorField<D>&, int);
 TLSPH_INSTANTIATE(1)

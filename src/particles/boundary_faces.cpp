@@ -1,6 +1,9 @@
 #include "tlsph/particles/boundary_faces.hpp"
 
 #include <algorithm>
+#include <cmath>
+
+#include "tlsph/geometry/region.hpp"
 
 namespace tlsph {
 
@@ -21,6 +24,25 @@ Patch<D> make_patch(std::string name, std::vector<Face<D>> faces) {
   std::sort(patch.nodes.begin(), patch.nodes.end());
   patch.nodes.erase(std::unique(patch.nodes.begin(), patch.nodes.end()), patch.nodes.end());
   return patch;
+}
+
+LabelledFace<2> labelled(const Face<2>& face, const std::vector<Vector<2>>& witnesses,
+                         const Box<2>& box, const std::vector<Shape<2>>& holes, double tolerance) {
+  LabelledFace<2> result{face};
+  const auto all = [&](auto holds) {
+    return std::all_of(witnesses.begin(), witnesses.end(), holds);
+  };
+  for (int side = 0; side < 4; ++side) {
+    const int a = side / 2;
+    const double bound = side % 2 == 0 ? box.lower(a) : box.upper(a);
+    if (all([&](const Vector<2>& x) { return std::abs(x(a) - bound) <= tolerance; }))
+      result.side = side;
+  }
+  if (result.side != no_side) return result;
+  for (std::size_t k = holes.size(); k-- > 0;)
+    if (all([&](const Vector<2>& x) { return std::abs(depth(holes[k], x)) <= tolerance; }))
+      result.hole = static_cast<int>(k) + 1;
+  return result;
 }
 
 template <int D>

@@ -164,26 +164,6 @@ std::optional<Vector<2>> forgotten_point(const Particles<2>& particles,
   return {};
 }
 
-LabelledFace<2> label(const Face<2>& face, const VectorField<2>& X, const Box<2>& box,
-                      const std::vector<Shape<2>>& holes, double tolerance) {
-  LabelledFace<2> labelled{face};
-  const auto both = [&](auto holds) {
-    return std::all_of(face.nodes.begin(), face.nodes.end(),
-                       [&](int node) { return holds(Vector<2>(X.row(node).transpose())); });
-  };
-  for (int side = 0; side < 4; ++side) {
-    const int a = side / 2;
-    const double bound = side % 2 == 0 ? box.lower(a) : box.upper(a);
-    if (both([&](const Vector<2>& x) { return std::abs(x(a) - bound) <= tolerance; }))
-      labelled.side = side;
-  }
-  if (labelled.side != no_side) return labelled;
-  for (std::size_t k = holes.size(); k-- > 0;)
-    if (both([&](const Vector<2>& x) { return std::abs(depth(holes[k], x)) <= tolerance; }))
-      labelled.hole = static_cast<int>(k) + 1;
-  return labelled;
-}
-
 }  // namespace
 
 Particles<2> fitted(const Particles<2>& lattice, const Shape<2>& shape, const Place& place) {
@@ -219,7 +199,7 @@ Particles<2> fitted(const Particles<2>& lattice, const Shape<2>& shape, const Pl
   for (const auto& edge : free_edges(mesh.cells)) {
     const Vector<2> a = mesh.X.row(edge[0]).transpose(), b = mesh.X.row(edge[1]).transpose();
     faces.push_back(
-        label({edge, face_area(a, b)}, mesh.X, boundary.box(), holes, boundary.tolerance()));
+        labelled({edge, face_area(a, b)}, {a, b}, boundary.box(), holes, boundary.tolerance()));
   }
   particles.patches = make_patches(faces, holes.size());
   particles.B = lumped_areas<2>(mesh.X.rows(), particles.find("boundary")->faces);

@@ -3,9 +3,12 @@
 #include <fmt/core.h>
 
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "tlsph/particles/cells.hpp"
+#include "tlsph/particles/delaunay.hpp"
+#include "tlsph/particles/voronoi.hpp"
 
 namespace tlsph {
 namespace {
@@ -29,23 +32,44 @@ std::vector<char> on_boundary(const Particles<D>& particles) {
 }
 
 /// Halves the moves of the corners of every misshapen cell until there is none. Ends, because the
-/// cells of the lattice itself are right.
-template <int D>
-VectorField<D> with_convex_cells(const Particles<D>& lattice, VectorField<D> moves) {
-  const double least = least_jacobian_share * lattice.spacings.prod();
-  VectorField<D> X = lattice.X + moves;
+/// cells of the lattice itself are right. `least(k)` is what `size(X, cell k)` must exceed.
+template <int D, class Cells, class Size, class Least>
+VectorField<D> with_sound_cells(const VectorField<D>& lattice, VectorField<D> moves,
+                                const Cells& cells, const Size& size, const Least& least) {
+  VectorField<D> X = lattice + moves;
   for (bool misshapen = true; misshapen;) {
     misshapen = false;
-    for (const auto& cell : lattice.cells) {
-      if (least_jacobian<D>(X, cell) > least) continue;
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      if (size(X, cells[k]) > least(k)) continue;
       misshapen = true;
-      for (const int node : cell) {
+      for (const int node : cells[k]) {
         moves.row(node) *= 0.5;
-        X.row(node) = lattice.X.row(node) + moves.row(node);
+        X.row(node) = lattice.row(node) + moves.row(node);
       }
     }
   }
   return X;
+}
+
+/// Cells stay, and volumes follow them.
+template <int D>
+void move_cells(Particles<D>& particles, VectorField<D> moves) {
+  const double least = least_jacobian_share * particles.spacings.prod();
+  particles.X = with_sound_cells<D>(particles.X, std::move(moves), particles.cells,
+                                    least_jacobian<D>, [=](std::size_t) { return least; });
+  if (!particles.cells.empty()) particles.V = node_volumes<D>(particles.X, particles.cells);
+}
+
+/// The old triangles keep the nodes within the body; then they are drawn afresh.
+void move_triangles(Particles<2>& particles, VectorField<2> moves, const Place& place) {
+  std::vector<double> least;
+  for (const Triangle& triangle : particles.triangles)
+    least.push_back(least_jacobian_share * triangle_area(particles.X, triangle));
+  particles.X = with_sound_cells<2>(particles.X, std::move(moves), particles.triangles,
+                                    triangle_area, [&](std::size_t k) { return least[k]; });
+  const auto& faces = particles.find("boundary")->faces;
+  particles.triangles = triangulate(particles.X, faces, [&](Index) { return place; });
+  particles.V = voronoi_volumes(particles.X, faces);
 }
 
 }  // namespace
@@ -65,8 +89,12 @@ Particles<D> jittered(Particles<D> particles, double share, std::uint64_t seed,
     if (fixed[static_cast<std::size_t>(q)]) continue;
     for (int a = 0; a < D; ++a) moves(q, a) = share * particles.spacings(a) * uniform(generator);
   }
-  particles.X = with_convex_cells(particles, std::move(moves));
-  if (!particles.cells.empty()) particles.V = node_volumes<D>(particles.X, particles.cells);
+  if constexpr (D == 2)
+    if (!particles.triangles.empty()) {
+      move_triangles(particles, std::move(moves), place);
+      return particles;
+    }
+  move_cells<D>(particles, std::move(moves));
   particles.frame.reset();
   return particles;
 }

@@ -8,8 +8,6 @@
 namespace tlsph {
 namespace {
 
-constexpr double cosine_of_a_kink = 0.94;  // 20°
-
 /// The piece closest to x and its point there.
 struct Foot {
   const OutlinePiece* piece = nullptr;
@@ -39,9 +37,7 @@ SplitOutline::SplitOutline(const Particles<2>& lattice, const Shape<2>& shape)
     (on_lattice_line(piece) ? straight_ : curve_).push_back(piece);
   for (const auto& a : curve_)
     for (const auto& b : curve_)
-      if ((a.to - b.from).norm() <= tolerance() &&
-          a.normal(1.0).dot(b.normal(0.0)) < cosine_of_a_kink)
-        kinks_.push_back(a.to);
+      if ((a.to - b.from).norm() <= tolerance() && is_corner(a, b)) kinks_.push_back(a.to);
 }
 
 Vector<2> SplitOutline::closest_on_curve(const Vector<2>& x) const {

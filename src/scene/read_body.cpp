@@ -78,6 +78,32 @@ NamedBox read_tag(const TableView& view, int dimension) {
   return tag;
 }
 
+/// What goes with scattered nodes.
+void check_cloud(const BodyScene& body, const TableView& view, int dimension,
+                 Formulation formulation) {
+  if (body.layout == Layout::hexagonal && dimension == 1)
+    throw InputError(view.place_of("layout"), "nodes in 1D stand in one row; allowed: square");
+  if (!body.cloud.empty() && view.has("layout"))
+    throw InputError(view.place_of("layout"),
+                     "the nodes come from body.cloud as they are; leave it out");
+  if (!body.cloud.empty() && body.jitter > 0.0)
+    throw InputError(view.place_of("jitter"),
+                     "the nodes come from body.cloud as they are; allowed: 0");
+  if (!body.is_cloud()) return;
+  const char* key = body.cloud.empty() ? "layout" : "cloud";
+  if (!is_adjoint(formulation))
+    throw InputError(view.place_of(key),
+                     fmt::format("{} needs nodes on a square lattice; irregular and hexagonal "
+                                 "ones: consistent, variational or stress-point",
+                                 name_of(formulation)));
+  if (body.placement == Placement::cell_centred)
+    throw InputError(view.place_of("placement"),
+                     fmt::format("body.{} puts nodes on the boundary; allowed: on-boundary", key));
+  if (dimension == 2 && !body.fit)
+    throw InputError(view.place_of("fit"),
+                     fmt::format("body.{} makes nodes follow the boundary; allowed: true", key));
+}
+
 }  // namespace
 
 CornerPair read_box(const Node& node, int dimension) {
@@ -112,8 +138,17 @@ BodyScene read_body(const TableView& view, int dimension, Formulation formulatio
     body.shape = read_shape_1d(view.table("shape"));
   else
     body.shape = read_shape_2d(view.table("shape"));
-  body.spacing = view.number("spacing");
+  if (view.has("cloud")) {
+    body.cloud = view.text("cloud");
+    body.cloud_place = view.place_of("cloud");
+    if (body.cloud.empty())
+      throw InputError(body.cloud_place, "must name a file of points, relative to the scene");
+  } else {
+    view.require("spacing");
+  }
+  if (view.has("spacing")) body.spacing = view.number("spacing");
   body.spacing_place = view.place_of("spacing");
+  body.layout = view.choice<Layout>("layout");
   body.placement = view.choice<Placement>("placement");
   const bool may_fit =
       is_adjoint(formulation) && dimension == 2 && body.placement == Placement::on_boundary;
@@ -125,6 +160,7 @@ BodyScene read_body(const TableView& view, int dimension, Formulation formulatio
         "\"stress-point\", \"consistent\" or \"variational\" only; allowed here: false");
   body.jitter = view.number("jitter");
   body.seed = static_cast<std::uint64_t>(view.integer("seed"));
+  check_cloud(body, view, dimension, formulation);
   for (const TableView& tag : view.tables("tags")) {
     for (const NamedBox& other : body.tags)
       if (other.name == tag.text("name"))

@@ -67,7 +67,7 @@ StabiliserScene read_stabiliser(const TableView& view, const Scene& scene) {
   stabiliser.place = view.place();
   StabiliserKind standard = StabiliserKind::none;
   if (scene.dimension == 2 && scene.formulation == Formulation::stress_point &&
-      !scene.kernel.support)
+      !scene.kernel.support && !scene.body.is_cloud())
     standard = StabiliserKind::cell;
   if ((scene.dimension == 2 && scene.formulation == Formulation::variational) ||
       scene.formulation == Formulation::consistent)

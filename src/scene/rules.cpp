@@ -143,6 +143,10 @@ void check_stabiliser(const Scene& scene, const TableView& root) {
       throw InputError(place,
                        "cell goes with the gradient over the nodes of each cell; leave "
                        "kernel.support out, or use pair");
+    if (scene.body.is_cloud())
+      throw InputError(place,
+                       "cell holds the hourglass mode of quadrilaterals, which the triangles of "
+                       "a cloud do not have; allowed: none, pair");
   } else if (!is_adjoint(scene.formulation)) {
     throw InputError(
         place, fmt::format("{} takes no stabiliser; allowed: none", name_of(scene.formulation)));

@@ -58,10 +58,20 @@ std::vector<Key> all_keys() {
 
       {"body", "shape", table, "shape", "m", required, "",
        "an interval in 1D; a box, disc, polygon or difference of them in 2D"},
-      {"body", "spacing", number, "", "m", required, "> 0",
+      {"body", "cloud", text, "", "", optional, "",
+       "file of points instead of a lattice, path relative to the scene's folder: a header line "
+       "x,y[,volume][,tag] (1D: x[,volume][,tag]), then a line per node. They fill the shape, its "
+       "corners among them; those on its outline make the boundary. Without volumes each node has "
+       "its Voronoi cell; a tag names nodes for [[boundary]] where, several separated by spaces. "
+       "For consistent, variational and stress-point (one point per edge of the triangles between "
+       "them; locks as poisson nears 0.5)"},
+      {"body", "spacing", number, "", "m", "(required; of a cloud: estimated)", "> 0",
        "distance of neighbouring nodes, taken to the nearest division of the body; a change of "
        "more "
-       "than 1 % is refused"},
+       "than 1 % is refused. Of a cloud: the unit of kernel.support"},
+      {"body", "layout", text, "", "", "\"square\"", choices<Layout>(),
+       "rows and columns, or rows shifted by half a spacing so that each node has six neighbours "
+       "(2D, consistent, variational and stress-point; see cloud)"},
       {"body", "placement", text, "", "", "\"on-boundary\"", choices<Placement>(),
        "nodes on the boundary (with half and quarter volumes), or at the centres of the cells"},
       {"body", "fit", flag, "", "", "(true for stress-point and variational, on-boundary, 2D)", "",

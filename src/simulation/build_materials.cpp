@@ -4,6 +4,7 @@
 
 #include "parts.hpp"
 #include "tlsph/particles/cells.hpp"
+#include "tlsph/particles/delaunay.hpp"
 
 namespace tlsph::parts {
 namespace {
@@ -20,11 +21,22 @@ LawName law_name(LawKind kind) {
   return LawName::neo_hookean;
 }
 
-/// Node masses where density jumps between cells: each corner takes its share of its own cells.
+/// Node masses where density jumps between cells: each corner takes its share of its own cells, in
+/// a cloud each end of an edge half of the part that belongs to it.
 template <int D>
 ScalarField masses_by_cell(const Scene& scene, const Particles<D>& particles,
                            const MaterialPoints<D>& points) {
   ScalarField mass = ScalarField::Zero(particles.size());
+  if constexpr (D == 2) {
+    const std::vector<TriangleEdge> edges = edges_of(particles.triangles);
+    for (std::size_t s = 0; s < edges.size(); ++s) {
+      const auto point = static_cast<Index>(s);
+      const Vector<2> at = points.X.row(point).transpose();
+      const double density =
+          scene.materials[material_at<2>(scene, at, 1e-9 * particles.spacing)].density;
+      for (const int node : {edges[s].a, edges[s].b}) mass[node] += 0.5 * density * points.V[point];
+    }
+  }
   for (std::size_t k = 0; k < scene.materials.size(); ++k) {
     std::vector<Cell<D>> cells;
     for (std::size_t s = 0; s < particles.cells.size(); ++s) {

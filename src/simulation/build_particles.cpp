@@ -2,9 +2,16 @@
 #include <unistd.h>
 
 #include <cmath>
+#include <filesystem>
+#include <map>
 #include <numbers>
+#include <string>
+#include <vector>
 
+#include "tlsph/io/points_table.hpp"
+#include "tlsph/particles/cloud.hpp"
 #include "tlsph/particles/fitted.hpp"
+#include "tlsph/particles/hexagonal.hpp"
 #include "tlsph/particles/jitter.hpp"
 #include "tlsph/particles/lattice.hpp"
 #include "tlsph/simulation/builder.hpp"
@@ -17,14 +24,16 @@ double machine_bytes() {
 
 double estimated_bytes(const Scene& scene, double particles) {
   const int d = scene.dimension;
-  const bool cells = scene.formulation == Formulation::stress_point && !scene.kernel.support;
+  const bool stress_points = scene.formulation == Formulation::stress_point;
+  const bool cells = stress_points && !scene.kernel.support;
   const double support = scene.kernel.support.value_or(0.0);
   double neighbours = 1 << d;
   if (!cells) neighbours = d == 1 ? 2.0 * support : std::numbers::pi * support * support;
   const bool per_component =
       scene.formulation == Formulation::mirror || scene.formulation == Formulation::thesis;
   const double weights = per_component ? d * d : d;
-  const double row = 8.0 + neighbours * (4.0 + 8.0 * weights);
+  double row = 8.0 + neighbours * (4.0 + 8.0 * weights);
+  if (stress_points && d == 2 && scene.body.is_cloud()) row *= 3.0;  // a point per edge
   const double stabiliser =
       scene.stabiliser.kind == StabiliserKind::none ? 0.0 : (d == 1 ? 5.0 : 25.0) * 12.0;
   const double fields = 8.0 * (8.0 * d + 2.0 * d * d + 4.0);
@@ -33,31 +42,82 @@ double estimated_bytes(const Scene& scene, double particles) {
   return particles * (2.0 * row + stabiliser + fields + setup);
 }
 
+namespace {
+
+/// InputError if so many particles do not fit in this machine.
+void require_memory(const Scene& scene, double count) {
+  const double need = estimated_bytes(scene, count);
+  const double have = machine_bytes();
+  if (need <= 0.9 * have) return;
+  const std::string remedy =
+      scene.body.cloud.empty()
+          ? fmt::format("a spacing above {:.2g}",
+                        scene.body.spacing * std::pow(need / (0.9 * have), 1.0 / scene.dimension))
+          : std::string("fewer points");
+  throw InputError(scene.body.spacing_place,
+                   fmt::format("{:.3g} particles would need about {:.3g} GB of memory, this "
+                               "machine has {:.3g} GB; choose {}",
+                               count, need * 1e-9, have * 1e-9, remedy));
+}
+
+/// The points of body.cloud, with its volumes and tags.
+template <int D>
+Particles<D> imported(const Scene& scene, const Shape<D>& shape) {
+  const std::filesystem::path file =
+      std::filesystem::path(scene.file).parent_path() / scene.body.cloud;
+  if (!std::filesystem::exists(file))
+    throw InputError(scene.body.cloud_place,
+                     fmt::format("there is no file {}; the path is relative to the scene's folder",
+                                 file.string()));
+  const PointsTable table = read_points(file, D);
+  require_memory(scene, static_cast<double>(table.size()));
+  const NodePlaces places = [&](Index q) { return table.place_of(static_cast<std::size_t>(q)); };
+  const auto count = static_cast<Index>(table.size());
+  Particles<D> particles = make_cloud<D>(Eigen::Map<const VectorField<D>>(table.X.data(), count, D),
+                                         shape, scene.body.spacing, places);
+  if (!table.V.empty())
+    particles = with_volumes<D>(
+        std::move(particles), Eigen::Map<const ScalarField>(table.V.data(), count), shape, places);
+  std::map<std::string, std::vector<int>> named;
+  for (std::size_t q = 0; q < table.tags.size(); ++q)
+    for (const std::string& tag : table.tags[q]) named[tag].push_back(static_cast<int>(q));
+  for (auto& [name, nodes] : named) {
+    const Place place = places(nodes.front());
+    particles = with_named_nodes<D>(std::move(particles), name, std::move(nodes), place);
+  }
+  return particles;
+}
+
+/// The nodes of a lattice, jittered where wanted.
+template <int D>
+Particles<D> on_lattice(const Scene& scene, const Shape<D>& shape) {
+  const BodyScene& body = scene.body;
+  const auto placement = body.placement == Placement::on_boundary ? NodePlacement::on_boundary
+                                                                  : NodePlacement::cell_centred;
+  // Rows of a hexagonal lattice are √3/2 spacings apart.
+  const double density = body.layout == Layout::hexagonal ? 2.0 / std::numbers::sqrt3 : 1.0;
+  require_memory(scene, density * lattice_size_estimate<D>(shape, body.spacing, placement));
+  Particles<D> particles;
+  if constexpr (D == 2)
+    if (body.layout == Layout::hexagonal)
+      particles = hexagonal_lattice(shape, body.spacing, body.spacing_place);
+  if (particles.size() == 0) {
+    particles = make_lattice<D>(shape, body.spacing, placement, body.spacing_place);
+    if constexpr (D == 2)
+      if (body.fit) particles = fitted(particles, shape, body.place);
+  }
+  if (body.jitter > 0.0)
+    particles = jittered<D>(std::move(particles), body.jitter, body.seed, body.place);
+  return particles;
+}
+
+}  // namespace
+
 template <int D>
 Particles<D> build_particles(const Scene& scene) {
   const auto& shape = std::get<Shape<D>>(scene.body.shape);
-  const auto placement = scene.body.placement == Placement::on_boundary
-                             ? NodePlacement::on_boundary
-                             : NodePlacement::cell_centred;
-  const double count = lattice_size_estimate<D>(shape, scene.body.spacing, placement);
-  const double need = estimated_bytes(scene, count);
-  const double have = machine_bytes();
-  if (!(need <= 0.9 * have)) {
-    const double factor = std::pow(need / (0.9 * have), 1.0 / D);
-    throw InputError(
-        scene.body.spacing_place,
-        fmt::format(
-            "{:.3g} particles would need about {:.3g} GB of memory, this machine has {:.3g} "
-            "GB; choose a spacing above {:.2g}",
-            count, need * 1e-9, have * 1e-9, scene.body.spacing * factor));
-  }
   Particles<D> particles =
-      make_lattice<D>(shape, scene.body.spacing, placement, scene.body.spacing_place);
-  if constexpr (D == 2)
-    if (scene.body.fit) particles = fitted(particles, shape, scene.body.place);
-  if (scene.body.jitter > 0.0)
-    particles =
-        jittered<D>(std::move(particles), scene.body.jitter, scene.body.seed, scene.body.place);
+      scene.body.cloud.empty() ? on_lattice<D>(scene, shape) : imported<D>(scene, shape);
   for (const NamedBox& box : scene.body.tags)
     particles = with_named_box<D>(std::move(particles), box.name,
                                   Eigen::Map<const Vector<D>>(box.lower.data()),

@@ -38,6 +38,15 @@ struct OutlinePiece {
 /// thinner than 1e-7 of the shape's size are not resolved.
 [[nodiscard]] std::vector<OutlinePiece> outline(const Shape<2>& shape);
 
+/// Pieces from head to tail, closed: the next one starts where the last one ends.
+using OutlineLoop = std::vector<OutlinePiece>;
+
+/// The outline as loops, the outer boundary counter-clockwise, holes clockwise.
+[[nodiscard]] std::vector<OutlineLoop> outline_loops(const Shape<2>& shape);
+
+/// True where the boundary turns by more than 20° from one piece into the next: a corner.
+[[nodiscard]] bool is_corner(const OutlinePiece& piece, const OutlinePiece& next);
+
 /// ½ ∮ X×dX [m²] over closed pieces.
 [[nodiscard]] double enclosed_area(const std::vector<OutlinePiece>& pieces);
 

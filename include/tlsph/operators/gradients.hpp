@@ -41,6 +41,14 @@ template <int D>
 /// G^a_sq = ½ (corner-difference vector)_a / area, which is exact for linear fields **and** whose
 /// adjoint satisfies the divergence theorem exactly on any quadrilateral (Flanagan & Belytschko
 /// 1981).
+///
+/// In 2D clouds the cell of an edge is the quadrilateral of the two triangles beside it (on the
+/// boundary the one triangle), whose mean gradient it takes. These cells cover the body three
+/// times, so Σ_s V_s G_s with thirds of their volumes is the sum over the triangles, and the
+/// adjoint is as exact. Edges rather than the triangles themselves: the mean over the two sides of
+/// an edge is of second order where the triangles are regular, that over one triangle is of first
+/// (edge-based smoothed finite elements, Liu, Nguyen-Thoi & Lam 2009; MEASURED). Both lock as
+/// ν → 0.5, because there are more points than half the degrees of freedom.
 template <int D>
 [[nodiscard]] VectorOperator<D> cell_gradient(const Particles<D>& particles,
                                               const MaterialPoints<D>& points);

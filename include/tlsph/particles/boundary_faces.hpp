@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tlsph/geometry/shape.hpp"
 #include "tlsph/particles/particles.hpp"
 
 namespace tlsph {
@@ -27,6 +28,12 @@ struct LabelledFace {
   int side = no_side;  ///< side of the bounding box it lies on, index into side_names
   int hole = 0;        ///< number of the hole it borders, from 1; 0 if none
 };
+
+/// The face with the side of the `box`, or else the hole, that all of `witnesses` lie on (points of
+/// the true boundary, tolerance [m]).
+[[nodiscard]] LabelledFace<2> labelled(const Face<2>& face, const std::vector<Vector<2>>& witnesses,
+                                       const Box<2>& box, const std::vector<Shape<2>>& holes,
+                                       double tolerance);
 
 /// The patches every body has, as far as they hold faces: `left`, `right`, `bottom`, `top`, `hole`,
 /// `hole1` …, `outer`, `boundary`.

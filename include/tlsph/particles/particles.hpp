@@ -71,6 +71,9 @@ struct Patch {
 template <int D>
 using Cell = std::array<int, (1 << D)>;
 
+/// Nodes of a triangle, counter-clockwise.
+using Triangle = std::array<int, 3>;
+
 template <int D>
 struct Particles {
   VectorField<D> X;      ///< N×d reference positions [m]
@@ -79,6 +82,8 @@ struct Particles {
   double spacing = 0.0;  ///< lattice spacing Δ [m], geometric mean over the directions
   std::vector<Patch<D>> patches;
   std::vector<Cell<D>> cells;  ///< lattice cells inside the body; empty for cell-centred placement
+                               ///< and for clouds in 2D
+  std::vector<Triangle> triangles = {};    ///< of 2D clouds: they fill the body; else empty
   Vector<D> spacings = Vector<D>::Zero();  ///< Δ per direction [m], within 1 % of another
   NodePlacement placement = NodePlacement::on_boundary;
   std::optional<LatticeFrame<D>>

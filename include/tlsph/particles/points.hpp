@@ -7,7 +7,9 @@
 namespace tlsph {
 
 /// One stress point per cell at the mean of its corners, with the volume of the cell: Σ V = |body|.
-/// InputError if the particles have no cells (cell-centred placement).
+/// In a 2D cloud one per edge of its triangles, with a third of the triangles on both sides, at
+/// their centre of area; Σ V X = ∫X dV too. InputError if the particles have neither (cell-centred
+/// placement).
 template <int D>
 [[nodiscard]] MaterialPoints<D> cell_points(const Particles<D>& particles);
 

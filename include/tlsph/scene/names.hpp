@@ -45,6 +45,11 @@ struct Names<Placement> {
       {{"on-boundary", Placement::on_boundary}, {"cell-centred", Placement::cell_centred}}};
 };
 template <>
+struct Names<Layout> {
+  static constexpr NameList<Layout, 2> list = {
+      {{"square", Layout::square}, {"hexagonal", Layout::hexagonal}}};
+};
+template <>
 struct Names<GradientCorrection> {
   static constexpr NameList<GradientCorrection, 4> list = {
       {{"none", GradientCorrection::none},

@@ -31,6 +31,8 @@ enum class Formulation { thesis, mirror, variational, consistent, stress_point }
 enum class GhostTreatment { consistent, as_printed, eta };
 enum class BoundarySolver { automatic, cholmod, umfpack };
 enum class Placement { on_boundary, cell_centred };
+/// Of the nodes a body is filled with: rows and columns, or rows shifted by half a spacing.
+enum class Layout { square, hexagonal };
 /// Collocated gradients: a least-squares fit, or the corrections of Bonet & Lok, (42) gradient,
 /// (54)–(58) mixed, none.
 enum class GradientCorrection { none, gradient, mixed, least_squares };
@@ -48,14 +50,19 @@ struct NamedBox {  ///< [[body.tag]]: nodes inside [lower, upper] get this name
 
 struct BodyScene {
   std::variant<std::monostate, Shape<1>, Shape<2>> shape;
-  double spacing = 0.0;  // [m]
+  std::string cloud;     // file of points, relative to the scene's folder; empty: a lattice
+  double spacing = 0.0;  // [m]; 0: estimated from the points of the cloud
+  Layout layout = Layout::square;
   Placement placement = Placement::on_boundary;
   bool fit =
       true;  // outer nodes on curved and slanted edges instead of stairs (particles/fitted.hpp)
   double jitter = 0.0;  // share of the spacing, interior nodes only
   std::uint64_t seed = 1;
   std::vector<NamedBox> tags;
-  Place place, spacing_place;
+  Place place, spacing_place, cloud_place;
+
+  /// Scattered nodes between triangles, not the corners of quadrilaterals.
+  [[nodiscard]] bool is_cloud() const { return !cloud.empty() || layout == Layout::hexagonal; }
 };
 
 struct KernelScene {
