@@ -72,28 +72,27 @@ ScalarField voronoi_volumes(const VectorField<2>& X, const std::vector<Face<2>>&
   const Links near = neighbours_of(X.rows(), delaunay(X));
   const std::vector<char> clipped = near_boundary(near, faces);
   const std::vector<Corners> loops = loops_of(X, faces);
-  const auto cell_of = [&](Index q) {
+  /// The part of the subject that is nearer to node q than to any other.
+  const auto nearest_to = [&](Index q, Corners subject) {
     const Vector<2> here = X.row(q).transpose();
-    Corners cell = whole;
     for (const int other : near[static_cast<std::size_t>(q)]) {
       const Vector<2> there = X.row(other).transpose();
       const Vector<2> normal = there - here;
-      cell = clip_half_plane(cell, normal, normal.dot(0.5 * (here + there)));
+      subject = clip_half_plane(subject, normal, normal.dot(0.5 * (here + there)));
     }
-    return cell;
+    return signed_area(subject);
   };
   double body = 0.0;
   for (const Corners& loop : loops) body += signed_area(loop);
-  ScalarField V(X.rows());
+  ScalarField V = ScalarField::Zero(X.rows());
   const auto measure = [&](const auto& needs_clipping) {
     for (Index q = 0; q < X.rows(); ++q) {
-      const Corners cell = cell_of(q);
-      if (!needs_clipping(q)) {
-        V[q] = signed_area(cell);
-        continue;
+      if (needs_clipping(q)) {
+        V[q] = 0.0;
+        for (const Corners& loop : loops) V[q] += nearest_to(q, loop);
+      } else {
+        V[q] = nearest_to(q, whole);
       }
-      V[q] = 0.0;
-      for (const Corners& loop : loops) V[q] += signed_area(clip_convex(loop, cell));
     }
   };
   measure([&](Index q) { return clipped[static_cast<std::size_t>(q)] != 0; });

@@ -47,8 +47,11 @@ template <int D>
 /// times, so Σ_s V_s G_s with thirds of their volumes is the sum over the triangles, and the
 /// adjoint is as exact. Edges rather than the triangles themselves: the mean over the two sides of
 /// an edge is of second order where the triangles are regular, that over one triangle is of first
-/// (edge-based smoothed finite elements, Liu, Nguyen-Thoi & Lam 2009; MEASURED). Both lock as
-/// ν → 0.5, because there are more points than half the degrees of freedom.
+/// (edge-based smoothed finite elements, Liu, Nguyen-Thoi & Lam 2009). Swinging plate on a
+/// hexagonal lattice of 64 spacings a side: stress error 1.1e-3 at edges, 1.0e-2 at triangles,
+/// order 1.6 and 1.0; jittered by 0.2: 3.9e-3 and 1.1e-2. Both lock as ν → 0.5, for they constrain
+/// the volume at more points than half the degrees of freedom; a fit over a support
+/// (`point_gradient`) and the consistent formulation do not.
 template <int D>
 [[nodiscard]] VectorOperator<D> cell_gradient(const Particles<D>& particles,
                                               const MaterialPoints<D>& points);

@@ -16,6 +16,9 @@ namespace tlsph {
 /// A quadrilateral that would lose its shape (a corner Jacobian ≤ 0.1 of the lattice's, possible
 /// for shares above 0.225) has the moves of its corners halved until it keeps it, so cells stay
 /// convex. Node volumes follow the cells (`node_volumes`); cell-centred volumes stay as they are.
+/// (Voronoi volumes would take up to 5 % off the errors of the swinging plate with consistency
+/// [1, 1] and 2 % with [2, 1], jitter 0.2, 16 to 64 cells a side; not worth masses that differ from
+/// those of the cells.)
 /// A cloud is held by its triangles in the same way (area > 0.1 of what it was), then triangulated
 /// anew; its volumes stay Voronoi cells.
 /// The frame is dropped unless share = 0. InputError, at `place`, unless 0 ≤ share ≤ 0.4.
