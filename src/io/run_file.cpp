@@ -68,6 +68,17 @@ void write_cells(Hdf5File& file, const RunLayout& layout, std::span<const std::i
   file.set_attribute("/points/cells", "unit", "1");
 }
 
+/// The triangles of a cloud and, where they are the points, their edges.
+void write_triangles(Hdf5File& file, const RunLayout& layout, const RunStart& start) {
+  assert(start.triangles.size() == 3 * layout.triangles);
+  file.write("/particles/triangles", start.triangles, {layout.triangles, 3});
+  file.set_attribute("/particles/triangles", "unit", "1");
+  if (start.edges.empty()) return;
+  assert(start.edges.size() == 4 * layout.points);
+  file.write("/points/edges", start.edges, {layout.points, 4});
+  file.set_attribute("/points/edges", "unit", "1");
+}
+
 void expect_shape(const Hdf5File& file, const std::string& item, const Extents& row_shape,
                   std::size_t least) {
   if (!file.exists(item))
@@ -110,6 +121,7 @@ Hdf5File create_file(const std::filesystem::path& path, const RunLayout& layout,
   write_cloud(file, "/points", start.points);
   write_vertices(file, "/xdmf/particles", start.particles);
   if (layout.points_are_cells) write_cells(file, layout, start.cells);
+  if (layout.triangles > 0) write_triangles(file, layout, start);
   if (!draws_cells(layout)) write_vertices(file, "/xdmf/points", start.points);
   file.create_series("/frames/time", {}, series_chunk_rows);
   file.set_attribute("/frames/time", "unit", "s");

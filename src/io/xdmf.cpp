@@ -98,12 +98,13 @@ struct Document {
         count, group);
   }
 
-  void quadrilaterals() {
+  /// A surface of `count` cells of that many corners each.
+  void surface(const char* type, std::size_t count, std::size_t corners, const char* item) {
     add(text,
-        "<Topology TopologyType=\"Quadrilateral\" NumberOfElements=\"{0}\">"
-        "<DataItem Format=\"HDF\" NumberType=\"Int\" Precision=\"4\" Dimensions=\"{0} 4\">"
-        "{1}:/points/cells</DataItem></Topology>\n",
-        layout.points, escaped(run_file));
+        "<Topology TopologyType=\"{}\" NumberOfElements=\"{}\">"
+        "<DataItem Format=\"HDF\" NumberType=\"Int\" Precision=\"4\" Dimensions=\"{} {}\">"
+        "{}:{}</DataItem></Topology>\n",
+        type, count, count, corners, escaped(run_file), item);
   }
 
   /// One grid with the fields of these sites, their positions those of the first.
@@ -113,8 +114,10 @@ struct Document {
     const std::size_t count = nodes ? layout.particles : layout.points;
     add(text, "<Grid Name=\"{}\" GridType=\"Uniform\">\n", name);
     add(text, "<Time Value=\"{:.17g}\"/>\n", time);
-    if (sites.size() > 1)
-      quadrilaterals();
+    if (nodes && layout.triangles > 0)
+      surface("Triangle", layout.triangles, 3, "/particles/triangles");
+    else if (sites.size() > 1)
+      surface("Quadrilateral", layout.points, 4, "/points/cells");
     else
       vertices(group, count);
     add(text,
@@ -128,7 +131,8 @@ struct Document {
 
   /// All grids of a frame.
   void whole_frame(std::size_t frame, double time) {
-    if (draws_cells(layout)) return grid("body", {Site::particles, Site::points}, frame, time);
+    if (draws_cells(layout) || (layout.triangles > 0 && layout.points_are_nodes))
+      return grid("body", {Site::particles, Site::points}, frame, time);
     const bool points =
         layout.points > 0 && std::ranges::any_of(layout.fields, [](const auto& entry) {
           return entry.site == Site::points;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "tlsph/dynamics/measures.hpp"
+#include "tlsph/particles/delaunay.hpp"
 #include "tlsph/scene/names.hpp"
 #include "tlsph/simulation/version.hpp"
 
@@ -49,6 +50,8 @@ RunLayout layout_of(const Scene& scene, const Discretisation<D>& disc) {
   layout.series = series_layout<D>();
   layout.points_are_cells =
       !disc.particles.cells.empty() && layout.points == disc.particles.cells.size();
+  layout.triangles = disc.particles.triangles.size();
+  layout.points_are_nodes = is_collocated(scene.formulation);
   return layout;
 }
 
@@ -58,6 +61,23 @@ std::vector<std::int32_t> corners(const std::vector<Cell<D>>& cells) {
   std::vector<std::int32_t> nodes;
   nodes.reserve(cells.size() << D);
   for (const Cell<D>& cell : cells) nodes.insert(nodes.end(), cell.begin(), cell.end());
+  return nodes;
+}
+
+/// Their nodes, three a triangle.
+std::vector<std::int32_t> corners(const std::vector<Triangle>& triangles) {
+  std::vector<std::int32_t> nodes;
+  nodes.reserve(3 * triangles.size());
+  for (const Triangle& triangle : triangles)
+    nodes.insert(nodes.end(), triangle.begin(), triangle.end());
+  return nodes;
+}
+
+/// Ends and neighbours of their edges.
+std::vector<std::int32_t> edges(const std::vector<Triangle>& triangles) {
+  std::vector<std::int32_t> nodes;
+  for (const auto& [a, b, left, right] : edges_of(triangles))
+    nodes.insert(nodes.end(), {a, b, left, right});
   return nodes;
 }
 
@@ -99,6 +119,10 @@ RunOutput<D>::RunOutput(const std::filesystem::path& directory, const Scene& sce
   start.points = {D, flat(disc.points.X), flat(disc.points.V)};
   std::vector<std::int32_t> cells;
   if (layout_.points_are_cells) start.cells = cells = corners<D>(disc.particles.cells);
+  const std::vector<std::int32_t> surface = corners(disc.particles.triangles);
+  start.triangles = surface;
+  std::vector<std::int32_t> sides;
+  if (!layout_.points_are_nodes) start.edges = sides = edges(disc.particles.triangles);
   for (std::size_t bit = 0; bit < disc.particles.patches.size() && bit < 63; ++bit) {
     start.particles.patches.push_back(disc.particles.patches[bit].name);
     for (const int node : disc.particles.patches[bit].nodes)

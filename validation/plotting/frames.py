@@ -16,6 +16,7 @@ from plotting.data import PlotError, run_file
 from plotting.run import Run
 from plotting.style import WIDTH, heading, label, prefix, significant, split_quantity, time_axis, unit_of
 from plotting.tiles import Tiles
+from plotting.triangles import Triangles
 
 
 TWO_SIDED = 0.2  # of the largest value: what the other sign must reach for colours on both sides of zero
@@ -137,6 +138,9 @@ def shape_of(run, X):
     """What paints a field with values at X, run.nodes or run.points."""
     if run.cells is not None:
         return Cells(run.nodes, run.cells, at_nodes=X is run.nodes)
+    at_nodes = X is run.nodes or len(run.points) == len(run.nodes)
+    if run.triangles is not None and (at_nodes or run.edges is not None):
+        return Triangles(run.nodes, run.triangles, None if at_nodes else run.edges)
     return Tiles(X, run.nodes, run.volumes)
 
 

@@ -17,6 +17,8 @@ class Run:
         self.volumes = dataset(self.file, "particles/V").ravel() if "particles/V" in self.file else None
         self.points = as_table(dataset(self.file, "points/X")) if "points/X" in self.file else self.nodes
         self.cells = dataset(self.file, "points/cells") if "points/cells" in self.file else None
+        self.triangles = dataset(self.file, "particles/triangles") if "particles/triangles" in self.file else None
+        self.edges = dataset(self.file, "points/edges") if "points/edges" in self.file else None
         self.times = dataset(self.file, "frames/time")
         self.dimension = self.nodes.shape[1]
 

@@ -6,6 +6,9 @@
 ///     /scene                    attributes text (TOML, as run), file, version, dimension
 ///     /particles/{X, V, tag}    /points/{X, V}
 ///     /points/cells             M×2^d numbers of nodes, if the points are the cells between them
+///     /particles/triangles      K×3 numbers of nodes, if triangles of them fill the body
+///     /points/edges             M×4, if the points are their edges: nodes at the ends, on the left
+///                               and, or −1, on the right
 ///     /frames/time              T [s]
 ///     /frames/<field>           T×N×d^rank, the components of a tensor in the order xx xy yx yy
 ///     /series/time              S [s]
@@ -54,6 +57,8 @@ struct RunLayout {
   std::vector<FrameField> fields;
   std::vector<SeriesQuantity> series;
   bool points_are_cells = false;  ///< each point stands for a cell of 2^d nodes
+  std::size_t triangles = 0;      ///< of nodes, that fill the body
+  bool points_are_nodes = false;  ///< each point is the node of its number
 
   /// Rows of a field: particles or points.
   [[nodiscard]] std::size_t rows(const FrameField& field) const;
@@ -67,6 +72,8 @@ struct RunStart {
   CloudView particles, points;
   std::span<const std::int32_t> cells =
       {};  ///< points×2^d nodes, counter-clockwise; empty if points are no cells
+  std::span<const std::int32_t> triangles = {};  ///< triangles×3 nodes, counter-clockwise
+  std::span<const std::int32_t> edges = {};      ///< points×4; empty if points are no edges
 };
 
 class RunFile {
