@@ -64,7 +64,8 @@ std::vector<Key> all_keys() {
        "corners among them; those on its outline make the boundary. Without volumes each node has "
        "its Voronoi cell; a tag names nodes for [[boundary]] where, several separated by spaces. "
        "For consistent, variational and stress-point (one point per edge of the triangles between "
-       "them; locks as poisson nears 0.5)"},
+       "them; locks as poisson nears 0.5). One kernel.support serves them all, so their distances "
+       "should not differ by more than about half"},
       {"body", "spacing", number, "", "m", "(required; of a cloud: estimated)", "> 0",
        "distance of neighbouring nodes, taken to the nearest division of the body; a change of "
        "more "

@@ -37,7 +37,13 @@ std::string plan_in(const Scene& scene) {
       disc.points.size(), disc.spacing);
   text += scene.kernel.support ? fmt::format("kernel {}, support {} spacings\n",
                                              scene.kernel.family, *scene.kernel.support)
-                               : std::string("gradients from the nodes of each cell\n");
+                               : std::string(disc.particles.triangles.empty()
+                                                 ? "gradients from the nodes of each cell\n"
+                                                 : "gradients from the triangles beside each "
+                                                   "edge\n");
+  if (!scene.body.cloud.empty()) text += fmt::format("points of {}\n", scene.body.cloud);
+  if (!disc.particles.triangles.empty())
+    text += fmt::format("triangles between them: {}\n", disc.particles.triangles.size());
   text += "operators\n";
   const VectorOperator<D>& G = disc.ghosts ? disc.ghosts->plain_gradient() : disc.gradient;
   text += operator_line("G", G.rows(), G.cols(), G.nonzeros(),

@@ -25,6 +25,7 @@ DOORS = {
     "CLI11": (r"CLI/", {"programs"}),
     "HDF5": (r"hdf5|H5", {"io"}),
     "nanoflann": (r"nanoflann", {"operators"}),
+    "Boost": (r"boost/", {"particles"}),
     "SuiteSparse": (r"suitesparse/|cholmod|umfpack|SuiteSparse|spqr|amd\.h|colamd\.h", {"linear"}),
     "Armadillo": (r"armadillo", {"analysis"}),
     "nlohmann-json": (r"nlohmann/", {"io", "studies"}),

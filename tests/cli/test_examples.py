@@ -57,6 +57,14 @@ class Examples(ProgramTest):
         middle = probes["middle.pk1_xx"]
         np.testing.assert_allclose(middle[F > 1.1], static[F > 1.1], rtol=1e-2)
 
+    def test_pressure_ring(self):
+        probes, summary = self.run_example("pressure_ring")
+
+        self.assertEqual(summary["particles"], 381)
+        np.testing.assert_allclose(probes["bore.displacement_x"][-1], 0.95333e-6, rtol=2e-3)
+        np.testing.assert_allclose(probes["rim.displacement_x"][-1], 0.60667e-6, rtol=2e-3)
+        np.testing.assert_allclose(probes["bore.cauchy_yy"][-1], 16.667e6, rtol=1e-2)
+
     def test_swinging_plate(self):
         _, summary = self.run_example("swinging_plate")
 

@@ -4,10 +4,14 @@
 /// scenes as a user would write them.
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
 #include <ostream>
 #include <random>
 #include <string>
@@ -39,9 +43,11 @@ struct Variant {
   [[nodiscard]] bool on_cells() const { return kernel.empty(); }
   /// G·X = I; the difference form without correction differentiates constants only.
   [[nodiscard]] bool linear_exact() const { return correction != "none"; }
+  /// Scattered nodes between triangles.
+  [[nodiscard]] bool on_triangles() const { return layout == "hexagonal" || layout == "cloud"; }
   /// The stabiliser that goes with these operators.
   [[nodiscard]] std::string stabiliser() const {
-    return on_cells() && !one_dimensional() ? "cell" : "pair";
+    return on_cells() && !one_dimensional() && !on_triangles() ? "cell" : "pair";
   }
   [[nodiscard]] std::string name() const {
     std::string text = formulation + "_" + (on_cells() ? "cell" : kernel) +
@@ -71,6 +77,27 @@ struct ByName {
   }
 };
 
+/// A file of points in a triangle of 0.16 m, in no order: an even division of its edges and, a
+/// little displaced, the nodes between.
+inline std::string triangle_of_points() {
+  const auto path = std::filesystem::temp_directory_path() /
+                    ("tlsph_property_" + std::to_string(::getpid()) + ".csv");
+  if (std::filesystem::exists(path)) return path.string();
+  constexpr int n = 10;
+  std::ofstream file(path);
+  file << "tag,y,x\n" << std::setprecision(17);
+  for (int k = 0; k < (n + 1) * (n + 1); ++k) {
+    const int row = (7 * k) % ((n + 1) * (n + 1));
+    const int i = row / (n + 1), j = row % (n + 1);
+    if (i + j > n) continue;
+    const bool inner = i > 0 && j > 0 && i + j < n;
+    const double shift = inner ? 0.15 * std::sin(37.0 * row) : 0.0;
+    file << (i == 0 ? "edge" : "") << ',' << 0.01 + 0.016 * (j + shift) << ','
+         << -0.03 + 0.016 * (i + 0.4 * j - 0.5 * shift) << '\n';
+  }
+  return path.string();
+}
+
 /// Bodies of 21 to 80 particles, none of them at the origin.
 inline std::string body_of(const std::string& layout) {
   if (layout == "interval") return "shape = { interval = [0.1, 0.5] }\n";
@@ -78,6 +105,13 @@ inline std::string body_of(const std::string& layout) {
   if (layout == "hole")
     return "shape = { difference = [ { box = [[-0.05, 0.01], [0.11, 0.17]] },\n"
            "  { disc = { centre = [0.03, 0.09], radius = 0.04 } } ] }\n";
+  if (layout == "hexagonal")
+    return "shape = { difference = [ { disc = { centre = [0.03, 0.01], radius = 0.1 } },\n"
+           "  { disc = { centre = [0.04, 0.02], radius = 0.03 } } ] }\n"
+           "layout = \"hexagonal\"\njitter = 0.1\n";
+  if (layout == "cloud")
+    return "shape = { polygon = [[-0.03, 0.01], [0.13, 0.01], [0.034, 0.17]] }\ncloud = \"" +
+           triangle_of_points() + "\"\n";
   const std::string box = "shape = { box = [[-0.03, 0.02], [0.11, 0.12]] }\n";
   return layout == "jittered" ? box + "jitter = 0.2\nseed = 7\n" : box;
 }
@@ -120,6 +154,16 @@ inline std::vector<Variant> adjoint_variants() {
       for (const char* correction : {"least-squares", "gradient", "mixed", "none"})
         variants.push_back({layout, "variational", correction, std::string(kernel), "2.5"});
     }
+  }
+  // The geometry differs here, not the kernels.
+  for (const char* layout : {"hexagonal", "cloud"}) {
+    variants.push_back({layout, "stress-point", "", "", ""});
+    variants.push_back({layout, "stress-point", "", "wendland-c2", "2.1"});
+    variants.push_back({layout, "stress-point", "", "wendland-c2", "2.1", "true"});
+    variants.push_back({layout, "variational", "least-squares", "wendland-c2", "2.5"});
+    for (const char* degrees : {"[1, 0]", "[1, 1]"})
+      variants.push_back({layout, "consistent", "", "wendland-c2", "3.1", degrees});
+    variants.push_back({layout, "consistent", "", "wendland-c2", "3.6", "[2, 1]"});
   }
   return variants;
 }

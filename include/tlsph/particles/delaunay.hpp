@@ -19,7 +19,8 @@
 namespace tlsph {
 
 /// All triangles of the convex hull of the nodes `X` (N×2 [m]), counter-clockwise; of nodes on one
-/// circle (a square of a lattice) some triangulation. Nodes closer than 1e-9 of the cloud's size
+/// circle (a square of a lattice) some triangulation; nodes in a line along the hull may leave a
+/// triangle that is flat to rounding there. Nodes closer than 1e-9 of the cloud's size
 /// are taken for one.
 [[nodiscard]] std::vector<Triangle> delaunay(const VectorField<2>& X);
 

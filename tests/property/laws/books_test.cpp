@@ -111,7 +111,8 @@ TEST_P(Books, MovedSupportsAndLoadsAccountForAllWork) {
 std::vector<Variant> boxes() {
   std::vector<Variant> chosen;
   for (const Variant& variant : adjoint_variants())
-    if (variant.layout != "disc" && variant.layout != "hole") chosen.push_back(variant);
+    if (variant.layout != "disc" && variant.layout != "hole" && !variant.on_triangles())
+      chosen.push_back(variant);
   return chosen;
 }
 

@@ -177,7 +177,8 @@ TEST(Reference, NamesEveryChoiceOfEveryEnumeration) {
 TEST(Reference, IsReadable) {
   const std::string reference = scene_reference();
 
-  EXPECT_THAT(reference, testing::HasSubstr("  spacing             number [m], required"));
+  EXPECT_THAT(reference, testing::HasSubstr("  young               number [Pa], required"));
+  EXPECT_THAT(reference, testing::HasSubstr("  layout              text, default \"square\""));
   EXPECT_THAT(reference, testing::HasSubstr("\n[[material.region]]\n"));
   EXPECT_THAT(reference, testing::HasSubstr("  safety              number, default 0.9"));
 }

@@ -52,6 +52,28 @@ INSTANTIATE_TEST_SUITE_P(
                    "{disc = {centre = [0, 0], radius = 1}}]}, {box = [[-3, -3], [3, 0]]}]}",
                    1.5 * pi}));
 
+TEST(LayoutKey, IsSquareUnlessSaid) {
+  EXPECT_EQ(sheet_with({}).body.layout, Layout::square);
+  EXPECT_FALSE(sheet_with({}).body.is_cloud());
+  const Scene scene = sheet_with({"body.layout=hexagonal"});
+  EXPECT_EQ(scene.body.layout, Layout::hexagonal);
+  EXPECT_TRUE(scene.body.is_cloud());
+  EXPECT_TRUE(scene.body.fit);
+}
+
+TEST(LayoutKey, HexagonalTakesTheHourglassStabiliserAway) {
+  EXPECT_EQ(sheet_with({"formulation=stress-point"}).stabiliser.kind, StabiliserKind::cell);
+  EXPECT_EQ(sheet_with({"formulation=stress-point", "body.layout=hexagonal"}).stabiliser.kind,
+            StabiliserKind::none);
+}
+
+TEST(CloudKey, NamesAFileAndLeavesTheSpacingToIt) {
+  const Scene scene = sheet_with({"body={shape={box=[[0,0],[1,1]]},cloud=\"p.csv\"}"});
+  EXPECT_EQ(scene.body.cloud, "p.csv");
+  EXPECT_EQ(scene.body.spacing, 0.0);
+  EXPECT_TRUE(scene.body.is_cloud());
+}
+
 TEST(FitKey, IsOnWhereNodesCanFollowTheBoundary) {
   EXPECT_TRUE(sheet_with({}).body.fit);
   EXPECT_TRUE(sheet_with({"formulation=variational"}).body.fit);
