@@ -84,7 +84,7 @@ class Rooms(unittest.TestCase):
                               include__tlsph__io__a_hpp="#pragma once\n#include <hdf5.h>\n")
 
     def test_a_third_party_nobody_has_listed(self):
-        self.assert_complaint("on no list", src__core__a_cpp="#include <boost/optional.hpp>\n")
+        self.assert_complaint("on no list", src__core__a_cpp="#include <absl/types/optional.h>\n")
 
     def test_a_room_that_does_not_exist(self):
         self.assert_complaint("no room attic", src__attic__a_cpp="")

@@ -80,9 +80,12 @@ struct ByName {
 /// A file of points in a triangle of 0.16 m, in no order: an even division of its edges and, a
 /// little displaced, the nodes between.
 inline std::string triangle_of_points() {
-  const auto path = std::filesystem::temp_directory_path() /
-                    ("tlsph_property_" + std::to_string(::getpid()) + ".csv");
-  if (std::filesystem::exists(path)) return path.string();
+  static const struct PointsFile {
+    std::filesystem::path path = std::filesystem::temp_directory_path() /
+                                 ("tlsph_property_" + std::to_string(::getpid()) + ".csv");
+    ~PointsFile() { std::filesystem::remove(path); }
+  } points;
+  const auto& path = points.path;
   constexpr int n = 10;
   std::ofstream file(path);
   file << "tag,y,x\n" << std::setprecision(17);
