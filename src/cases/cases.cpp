@@ -31,6 +31,8 @@ std::span<const Case> all_cases() {
            swinging_plate},
       Case{"consistency", "irregular particles, with and without an exact adjoint", 40.0, false,
            consistency},
+      Case{"kirsch", "a plate with a hole at rest, by Kirsch's solution", 30.0, false, kirsch},
+      Case{"beam_period", "the first period of a clamped plate", 10.0, false, beam_period},
       Case{"satellite", "a free body spins", 30.0, false, satellite},
       Case{"tensile_instability", "a prestressed bar, one particle displaced", 1.0, true,
            tensile_instability},

@@ -21,6 +21,8 @@ void interpolation(CaseRun& run);
 void dispersion(CaseRun& run);
 void swinging_plate(CaseRun& run);
 void consistency(CaseRun& run);
+void kirsch(CaseRun& run);
+void beam_period(CaseRun& run);
 void satellite(CaseRun& run);
 void tensile_instability(CaseRun& run);
 void swegle(CaseRun& run);

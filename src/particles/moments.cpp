@@ -8,6 +8,7 @@
 
 #include "tlsph/geometry/outline.hpp"
 #include "tlsph/particles/boundary_faces.hpp"
+#include "tlsph/particles/boundary_runs.hpp"
 
 namespace tlsph {
 namespace {
@@ -208,6 +209,8 @@ Particles<D> with_exact_moments(Particles<D> particles, QuadratureDegrees degree
   if constexpr (D == 2)
     if (shape != nullptr) rule = along_outline(*shape);
   if (rule.empty()) rule = along_faces<D>(particles.X, faces);
+  if constexpr (D == 2)
+    if (degrees.boundary > 2) make_shares_cubic(particles.X, faces);
   correct_volumes<D>(particles, rule, degrees.volume, place);
   correct_shares<D>(particles.X, faces, rule, degrees.boundary, place);
   std::map<std::array<int, D>, std::array<double, D>> shares;

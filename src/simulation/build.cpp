@@ -4,6 +4,7 @@
 #include "tlsph/boundary/mirror.hpp"
 #include "tlsph/operators/consistency.hpp"
 #include "tlsph/operators/gradients.hpp"
+#include "tlsph/operators/local_volumes.hpp"
 #include "tlsph/particles/moments.hpp"
 #include "tlsph/particles/points.hpp"
 
@@ -113,10 +114,13 @@ template <int D>
 Discretisation<D> build(const Scene& scene) {
   Discretisation<D> disc;
   disc.particles = build_particles<D>(scene);
-  if (scene.consistency && is_collocated(scene.formulation))
+  if (scene.consistency && is_collocated(scene.formulation)) {
+    const QuadratureDegrees degrees = moments_of(*scene.consistency);
+    if (degrees.volume > 1) disc.particles.V = local_volumes<D>(disc.particles);
     disc.particles = with_exact_moments<D>(
-        std::move(disc.particles), moments_of(*scene.consistency),
+        std::move(disc.particles), degrees,
         scene.body.fit ? &std::get<Shape<D>>(scene.body.shape) : nullptr, scene.consistency->place);
+  }
   disc.spacing = disc.particles.spacing;
   disc.points = scene.formulation == Formulation::stress_point ? cell_points<D>(disc.particles)
                                                                : node_points<D>(disc.particles);

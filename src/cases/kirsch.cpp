@@ -1,0 +1,112 @@
+// A plate with a round hole: the stress at its edge against Kirsch's solution.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "linear_body.hpp"
+#include "list.hpp"
+#include "tlsph/analysis/order.hpp"
+#include "tlsph/simulation/builder.hpp"
+
+namespace tlsph {
+namespace {
+
+constexpr double radius = 1.0, side = 4.0;
+constexpr std::array particles = {5, 10, 20, 40};  // a radius
+constexpr double jitter = 0.2;
+
+/// Stress over the remote tension along x, a the radius of the hole (Kirsch 1898; Timoshenko &
+/// Goodier, Theory of Elasticity, art. 35), in Cartesian components.
+Tensor<2> kirsch(const Vector<2>& X) {
+  const double r = X.norm();
+  const double q = radius * radius / (r * r);
+  const double cos = X[0] / r, sin = X[1] / r;
+  const double cos2 = cos * cos - sin * sin, sin2 = 2 * sin * cos;
+  const double radial = 0.5 * (1 - q) + 0.5 * (1 - 4 * q + 3 * q * q) * cos2;
+  const double hoop = 0.5 * (1 + q) - 0.5 * (1 + 3 * q * q) * cos2;
+  const double shear = -0.5 * (1 + 2 * q - 3 * q * q) * sin2;
+  Tensor<2> R;
+  R << cos, -sin, sin, cos;
+  Tensor<2> polar;
+  polar << radial, shear, shear, hoop;
+  return R * polar * R.transpose();
+}
+
+/// Errors of one plate.
+struct Plate {
+  double peak = 0.0;    ///< σ_θθ at the top of the hole, 3 in the solution
+  double edge = 0.0;    ///< largest error of the hoop stress along the hole
+  double stress = 0.0;  ///< relative L2 of all components
+  std::vector<std::pair<double, double>> hoop;  ///< angle, hoop stress along the hole
+};
+
+Plate solve(const CaseRun& run, int per_radius, std::vector<std::string> overrides) {
+  overrides.push_back(fmt::format("body.spacing={}", radius / per_radius));
+  const Discretisation<2> disc = build<2>(run.read("plate.toml", overrides));
+  VectorField<2> forces = VectorField<2>::Zero(disc.nodes(), 2);
+  for (const char* name : {"right", "top"})
+    for (const Face<2>& face : disc.particles.find(name)->faces)
+      for (std::size_t k = 0; k < 2; ++k) {
+        const int q = face.nodes[k];
+        const Vector<2> area = face.share[k] * face.area;
+        forces.row(q) += (kirsch(disc.particles.X.row(q).transpose()) * area).transpose();
+      }
+  const VectorField<2> u = LinearBody(disc).at_rest(forces);
+  TensorField<2> H(disc.points.size(), 4);
+  disc.gradient.gradient(u, H);
+  Plate plate;
+  double error = 0.0, norm = 0.0;
+  for (Index s = 0; s < disc.points.size(); ++s) {
+    const Vector<2> X = disc.points.X.row(s).transpose();
+    const Tensor<2> P = pk1<2>(disc.regions.front().law, tensor_at<2>(H, s));
+    const Tensor<2> exact = kirsch(X);
+    error += disc.points.V[s] * (P - exact).squaredNorm();
+    norm += disc.points.V[s] * exact.squaredNorm();
+    if (X.norm() > (1 + 1e-9) * radius) continue;
+    const Vector<2> along(-X[1] / X.norm(), X[0] / X.norm());
+    const double hoop = along.dot(P * along);
+    plate.hoop.emplace_back(std::atan2(X[1], X[0]), hoop);
+    plate.edge = std::max(plate.edge, std::abs(hoop - along.dot(exact * along)));
+    if (X[0] < 1e-9 * radius) plate.peak = hoop;
+  }
+  std::ranges::sort(plate.hoop);
+  plate.stress = std::sqrt(error / norm);
+  return plate;
+}
+
+/// How a method may err at 20 particles a radius, and how fast its errors fall; zero: reported.
+struct Method {
+  const char* name;
+  std::vector<std::string> overrides;
+  double peak, edge, stress, order;
+};
+
+}  // namespace
+
+void kirsch(CaseRun& run) {
+  constexpr const char* source = "Kirsch";
+  const std::array methods = {
+      Method{"consistent", {}, 0.01, 0.03, 2e-3, 1.5},
+      Method{
+          "consistent, irregular", {fmt::format("body.jitter={}", jitter)}, 0.01, 0.03, 5e-3, 1.5},
+      Method{"variational", {"formulation=variational"}, 0, 0, 0, 0}};
+  std::vector<std::string> columns = {"spacing"};
+  std::vector<std::vector<double>> values(1);
+  for (const int n : particles) values[0].push_back(radius / n);
+  for (const Method& method : methods) {
+    std::vector<double> peaks, edges, stresses;
+    for (const int n : particles) {
+      const Plate plate = solve(run, n, method.overrides);
+      peaks.push_back(std::abs(plate.peak / 3 - 1));
+      edges.push_back(plate.edge / 3);
+      stresses.push_back(plate.stress);
+      fmt::print(stderr, "{} {} peak {:.5f} edge {:.4e} L2 {:.4e}\n", method.name, n, plate.peak,
+                 plate.edge / 3, plate.stress);
+    }
+  }
+  (void)source;
+}
+
+}  // namespace tlsph

@@ -1,0 +1,64 @@
+#include "tlsph/dynamics/stiffness_matrix.hpp"
+
+#include <array>
+#include <cassert>
+#include <vector>
+
+namespace tlsph {
+namespace {
+
+/// A at every point.
+template <int D>
+std::vector<Tangent<D>> tangents(const Discretisation<D>& disc, const TensorField<D>& H) {
+  std::vector<Tangent<D>> A(static_cast<std::size_t>(H.rows()));
+  for (const Region<D>& region : disc.regions) {
+    const auto at = [&](Index s) {
+      A[static_cast<std::size_t>(s)] = tangent<D>(region.law, tensor_at<D>(H, s));
+    };
+    if (region.points.empty())
+      for (Index s = 0; s < H.rows(); ++s) at(s);
+    else
+      for (const int s : region.points) at(s);
+  }
+  return A;
+}
+
+}  // namespace
+
+template <int D>
+SparseMatrix stiffness_matrix(const Discretisation<D>& disc, const TensorField<D>& H) {
+  assert(disc.adjoint);
+  const std::vector<Tangent<D>> A = tangents<D>(disc, H);
+  std::array<SparseMatrix, D> G;
+  std::array<SparseMatrix, D> adjoint;
+  for (int a = 0; a < D; ++a) {
+    G[static_cast<std::size_t>(a)] = disc.gradient.matrix(a);
+    adjoint[static_cast<std::size_t>(a)] = G[static_cast<std::size_t>(a)].transpose();
+  }
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::VectorXd scale(disc.points.size());
+  for (int i = 0; i < D; ++i)
+    for (int j = 0; j < D; ++j) {
+      SparseMatrix block(disc.nodes(), disc.nodes());
+      for (int a = 0; a < D; ++a)
+        for (int b = 0; b < D; ++b) {
+          for (Index s = 0; s < scale.size(); ++s)
+            scale[s] = disc.points.V[s] * A[static_cast<std::size_t>(s)](i * D + a, j * D + b);
+          const SparseMatrix right = scale.asDiagonal() * G[static_cast<std::size_t>(b)];
+          block += SparseMatrix(adjoint[static_cast<std::size_t>(a)] * right);
+        }
+      if (i == j && disc.stiffness.nonZeros() > 0) block += disc.stiffness;
+      for (int q = 0; q < block.rows(); ++q)
+        for (SparseMatrix::InnerIterator entry(block, q); entry; ++entry)
+          entries.emplace_back(q * D + i, static_cast<int>(entry.col()) * D + j, entry.value());
+    }
+  SparseMatrix K(disc.nodes() * D, disc.nodes() * D);
+  K.setFromTriplets(entries.begin(), entries.end());
+  const SparseMatrix transposed = K.transpose();
+  return 0.5 * (K + transposed);
+}
+
+template SparseMatrix stiffness_matrix<1>(const Discretisation<1>&, const TensorField<1>&);
+template SparseMatrix stiffness_matrix<2>(const Discretisation<2>&, const TensorField<2>&);
+
+}  // namespace tlsph

@@ -1,0 +1,160 @@
+#include "tlsph/particles/boundary_runs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <optional>
+
+namespace tlsph {
+namespace {
+
+/// Faces that turn by more than this meet in a corner.
+constexpr double corner = std::numbers::pi / 6;
+constexpr std::size_t stencil = 4;
+
+/// Gauss–Legendre with three points on [0, 1], exact to degree five.
+constexpr std::array<double, 3> gauss_point = {0.1127016653792583, 0.5, 0.8872983346207417};
+constexpr std::array<double, 3> gauss_weight = {5.0 / 18, 8.0 / 18, 5.0 / 18};
+
+/// What joins a face to the one that begins where it ends.
+struct Joint {
+  std::size_t next = 0;
+  double turn = 0.0;
+};
+
+class Joints {
+ public:
+  Joints(const VectorField<2>& X, const std::vector<Face<2>>& faces) : X_(X), faces_(faces) {
+    std::multimap<int, std::size_t> begins, ends;
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      begins.emplace(node(f, 0), f);
+      ends.emplace(node(f, 1), f);
+    }
+    after_.resize(faces.size());
+    before_.resize(faces.size());
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      const int end = node(f, 1);
+      if (begins.count(end) != 1 || ends.count(end) != 1) continue;
+      const std::size_t next = begins.find(end)->second;
+      const Vector<2> a = along(f);
+      const Vector<2> b = along(next);
+      const double turn = std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+      if (next == f || std::abs(turn) > corner) continue;
+      after_[f] = Joint{next, turn};
+      before_[next] = Joint{f, turn};
+    }
+  }
+
+  /// Begin (0) or end (1) of a face on the way with the body on the left.
+  [[nodiscard]] int node(std::size_t f, std::size_t end) const {
+    const Face<2>& face = faces_[f];
+    const Vector<2> chord = (X_.row(face.nodes[1]) - X_.row(face.nodes[0])).transpose();
+    const bool forward = chord.y() * face.area.x() - chord.x() * face.area.y() >= 0.0;
+    return face.nodes[forward ? end : 1 - end];
+  }
+  [[nodiscard]] Vector<2> along(std::size_t f) const {
+    return (X_.row(node(f, 1)) - X_.row(node(f, 0))).transpose();
+  }
+  [[nodiscard]] const std::optional<Joint>& after(std::size_t f) const { return after_[f]; }
+  [[nodiscard]] const std::optional<Joint>& before(std::size_t f) const { return before_[f]; }
+  /// The turn of a face is half of those at its ends; a corner tells nothing of it.
+  [[nodiscard]] double half_turn(std::size_t f) const {
+    if (!before_[f] && !after_[f]) return 0.0;
+    const double begin = before_[f] ? before_[f]->turn : after_[f]->turn;
+    const double end = after_[f] ? after_[f]->turn : before_[f]->turn;
+    return 0.25 * (begin + end);
+  }
+
+ private:
+  const VectorField<2>& X_;
+  const std::vector<Face<2>>& faces_;
+  std::vector<std::optional<Joint>> after_, before_;
+};
+
+/// Weight of each node of a run [m]: the cubic through four of them, integrated face by face.
+std::vector<double> cubic_weights(const BoundaryRun& run) {
+  const std::size_t faces = run.face.size();
+  const std::size_t nodes = run.node.size();
+  std::vector<double> weights(nodes, 0.0);
+  for (std::size_t k = 0; k < faces; ++k) {
+    // Offset of the first node of the stencil from the begin of the face: −1 but near an end.
+    const std::size_t first =
+        run.closed ? k + nodes - 1 : std::min(std::max<std::size_t>(k, 1) - 1, nodes - stencil);
+    const std::size_t face = run.closed ? first + 1 : k;
+    std::array<double, stencil> s{};
+    for (std::size_t i = 1; i < stencil; ++i) s[i] = s[i - 1] + run.arc((first + i - 1) % faces);
+    const double from = s[face - first];
+    const double length = s[face - first + 1] - from;
+    for (std::size_t g = 0; g < gauss_point.size(); ++g)
+      for (std::size_t i = 0; i < stencil; ++i) {
+        double value = gauss_weight[g] * length;
+        for (std::size_t j = 0; j < stencil; ++j)
+          if (j != i) value *= (from + gauss_point[g] * length - s[j]) / (s[i] - s[j]);
+        weights[(first + i) % nodes] += value;
+      }
+  }
+  return weights;
+}
+
+}  // namespace
+
+double BoundaryRun::arc(std::size_t k) const {
+  const double phi = half_turn[k];
+  return chord[k] * (phi == 0.0 ? 1.0 : phi / std::sin(phi));
+}
+
+std::vector<BoundaryRun> boundary_runs(const VectorField<2>& X, const std::vector<Face<2>>& faces) {
+  const Joints joints(X, faces);
+  std::vector<char> done(faces.size(), 0);
+  std::vector<BoundaryRun> runs;
+  const auto follow = [&](std::size_t first) {
+    BoundaryRun run;
+    for (std::size_t f = first; done[f] == 0;) {
+      done[f] = 1;
+      run.face.push_back(f);
+      run.node.push_back(joints.node(f, 0));
+      run.chord.push_back(joints.along(f).norm());
+      run.half_turn.push_back(joints.half_turn(f));
+      if (!joints.after(f)) break;
+      f = joints.after(f)->next;
+    }
+    run.closed = joints.after(run.face.back()).has_value();
+    if (!run.closed) run.node.push_back(joints.node(run.face.back(), 1));
+    runs.push_back(std::move(run));
+  };
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    if (done[f] == 0 && !joints.before(f)) follow(f);
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    if (done[f] == 0) follow(f);
+  return runs;
+}
+
+void make_shares_cubic(const VectorField<2>& X, std::vector<Face<2>>& faces) {
+  for (const BoundaryRun& run : boundary_runs(X, faces)) {
+    if (run.node.size() < stencil) continue;
+    const std::vector<double> weights = cubic_weights(run);
+    const std::size_t count = run.face.size();
+    const auto share_of = [&](std::size_t k, std::size_t end) -> double& {
+      Face<2>& face = faces[run.face[k]];
+      return face.share[face.nodes[0] == run.node[run.at(k, end)] ? 0 : 1];
+    };
+    // w_q n_q between two faces: a part of each, such that what is across the normal cancels.
+    for (std::size_t k = 0; k < count; ++k)
+      for (std::size_t end = 0; end < 2; ++end) {
+        const double w = weights[run.at(k, end)];
+        const double cosine = std::cos(run.half_turn[k]);
+        const bool at_corner = !run.closed && (end == 0 ? k == 0 : k + 1 == count);
+        if (at_corner) {
+          share_of(k, end) = w / (run.chord[k] * cosine);
+          continue;
+        }
+        const std::size_t other = (k + (end == 0 ? count - 1 : 1)) % count;
+        const double mean =
+            run.chord[other] * cosine + run.chord[k] * std::cos(run.half_turn[other]);
+        share_of(k, end) = w * run.chord[other] / (mean * run.chord[k]);
+      }
+  }
+}
+
+}  // namespace tlsph
