@@ -14,8 +14,7 @@ namespace tlsph {
 namespace {
 
 constexpr double radius = 1.0, side = 4.0;
-constexpr std::array particles = {5, 10, 20, 40};  // a radius
-constexpr double jitter = 0.2;
+constexpr std::array particles = {5, 10, 20};  // a radius
 
 /// Stress over the remote tension along x, a the radius of the hole (Kirsch 1898; Timoshenko &
 /// Goodier, Theory of Elasticity, art. 35), in Cartesian components.
@@ -76,7 +75,20 @@ Plate solve(const CaseRun& run, int per_radius, std::vector<std::string> overrid
   return plate;
 }
 
-/// How a method may err at 20 particles a radius, and how fast its errors fall; zero: reported.
+/// The hoop stress along the hole, for the figure.
+void hoop_table(const CaseRun& run, std::string name, const Plate& plate) {
+  std::erase(name, ',');
+  std::ranges::replace(name, ' ', '_');
+  std::vector<std::vector<double>> columns(2);
+  for (const auto& [angle, hoop] : plate.hoop) {
+    columns[0].push_back(angle);
+    columns[1].push_back(hoop);
+  }
+  run.table("hoop_" + name, {"angle", "hoop"}, columns);
+}
+
+/// How a method may err at 20 particles a radius, relative to the peak of three for the hoop
+/// stress, and how fast its errors fall at least; zero: reported.
 struct Method {
   const char* name;
   std::vector<std::string> overrides;
@@ -86,27 +98,49 @@ struct Method {
 }  // namespace
 
 void kirsch(CaseRun& run) {
-  constexpr const char* source = "Kirsch";
+  constexpr const char* source = "Kirsch 1898";
   const std::array methods = {
-      Method{"consistent", {}, 0.01, 0.03, 2e-3, 1.5},
-      Method{
-          "consistent, irregular", {fmt::format("body.jitter={}", jitter)}, 0.01, 0.03, 5e-3, 1.5},
+      Method{"consistent", {}, 0.01, 0.02, 4e-3, 1.5},
+      Method{"consistent, irregular", {"body.jitter=0.2"}, 0.01, 0.02, 4e-3, 1.5},
       Method{"variational", {"formulation=variational"}, 0, 0, 0, 0}};
+  std::vector<double> spacings;
+  for (const int n : particles) spacings.push_back(radius / n);
   std::vector<std::string> columns = {"spacing"};
-  std::vector<std::vector<double>> values(1);
-  for (const int n : particles) values[0].push_back(radius / n);
+  std::vector<std::vector<double>> values = {spacings};
   for (const Method& method : methods) {
-    std::vector<double> peaks, edges, stresses;
+    std::array<std::vector<double>, 3> errors;
     for (const int n : particles) {
       const Plate plate = solve(run, n, method.overrides);
-      peaks.push_back(std::abs(plate.peak / 3 - 1));
-      edges.push_back(plate.edge / 3);
-      stresses.push_back(plate.stress);
-      fmt::print(stderr, "{} {} peak {:.5f} edge {:.4e} L2 {:.4e}\n", method.name, n, plate.peak,
-                 plate.edge / 3, plate.stress);
+      for (const auto& [k, error] :
+           {std::pair{0U, std::abs(plate.peak - 3) / 3}, {1U, plate.edge / 3}, {2U, plate.stress}})
+        errors.at(k).push_back(error);
+      if (n == particles.back()) hoop_table(run, method.name, plate);
+    }
+    const std::array limits = {method.peak, method.edge, method.stress};
+    const std::array names = {"peak stress at the top of the hole",
+                              "largest error of the hoop stress along the hole",
+                              "relative L2 error of the stress"};
+    for (std::size_t k = 0; k < errors.size(); ++k) {
+      for (std::size_t i = 0; i < particles.size(); ++i) {
+        const std::string text =
+            fmt::format("{}{}, {} particles a radius, {}", k == 0 ? "error of the " : "", names[k],
+                        particles.at(i), method.name);
+        if (limits[k] > 0.0 && i + 1 == particles.size())
+          run.at_most(source, text, limits[k], errors[k][i]);
+        else
+          run.report(source, text, errors[k][i]);
+      }
+      const std::string text = fmt::format("order of convergence, {}, {}", names[k], method.name);
+      const double order = fit_order(spacings, errors[k]).order;
+      if (method.order > 0.0)
+        run.at_least(source, text, method.order, order);
+      else
+        run.report(source, text, order);
+      columns.push_back(fmt::format("{} {}", method.name, k));
+      values.push_back(errors[k]);
     }
   }
-  (void)source;
+  run.table("errors", columns, values);
 }
 
 }  // namespace tlsph

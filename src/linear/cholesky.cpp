@@ -13,26 +13,6 @@ namespace {
 
 constexpr auto method = "Cholesky (CHOLMOD)";
 
-/// The rows of A's lower triangle, stored by rows, are the columns of its upper triangle stored by
-/// columns, which is what CHOLMOD calls stype = 1; so A is handed over as it lies in memory.
-cholmod_sparse sparse_view(const SparseMatrix& A) {
-  assert(A.isCompressed());
-  cholmod_sparse view{};
-  view.nrow = static_cast<std::size_t>(A.rows());
-  view.ncol = static_cast<std::size_t>(A.cols());
-  view.nzmax = static_cast<std::size_t>(A.nonZeros());
-  view.p = const_cast<int*>(A.outerIndexPtr());
-  view.i = const_cast<int*>(A.innerIndexPtr());
-  view.x = const_cast<double*>(A.valuePtr());
-  view.stype = 1;
-  view.itype = CHOLMOD_INT;
-  view.xtype = CHOLMOD_REAL;
-  view.dtype = CHOLMOD_DOUBLE;
-  view.sorted = 1;
-  view.packed = 1;
-  return view;
-}
-
 SparseMatrix compressed(SparseMatrix A) {
   A.makeCompressed();
   return A;

@@ -171,13 +171,27 @@ ConsistentGradient<D> consistent_gradient(const VectorOperator<D>& gradient,
   return result;
 }
 
+template <int D>
+FactorCost consistency_cost(const VectorOperator<D>& gradient, const MaterialPoints<D>& points,
+                            const Particles<D>& particles, ConsistencyDegrees degrees) {
+  const ConsistencyConstraints<D> constraints(gradient, points, particles, degrees);
+  const SparseMatrix normal = constraints.normal(Eigen::VectorXd::Ones(gradient.nonzeros()));
+  FactorCost cost = factor_cost(normal);
+  const auto vectors = static_cast<double>(constraints.dependence_count() + 12);
+  cost.bytes += constraints.bytes() + 12.0 * static_cast<double>(normal.nonZeros()) +
+                8.0 * vectors * static_cast<double>(constraints.size());
+  return cost;
+}
+
 #define TLSPH_INSTANTIATE(D)                                                                       \
   template ConsistencyResiduals consistency_residuals<D>(const VectorOperator<D>&,                 \
                                                          const MaterialPoints<D>&,                 \
                                                          const Particles<D>&, ConsistencyDegrees); \
   template ConsistentGradient<D> consistent_gradient<D>(                                           \
       const VectorOperator<D>&, const MaterialPoints<D>&, const Particles<D>&, ConsistencyDegrees, \
-      const Place&);
+      const Place&);                                                                               \
+  template FactorCost consistency_cost<D>(const VectorOperator<D>&, const MaterialPoints<D>&,      \
+                                          const Particles<D>&, ConsistencyDegrees);
 TLSPH_INSTANTIATE(1)
 TLSPH_INSTANTIATE(2)
 #undef TLSPH_INSTANTIATE

@@ -60,6 +60,13 @@ class ConsistencyConstraints {
   [[nodiscard]] Index row_size() const { return rows_ * mr_; }
   [[nodiscard]] Index entries() const { return pattern_.size(); }
 
+  /// Combinations of constraints that vanish identically.
+  [[nodiscard]] Index dependence_count() const { return mr_ * mc_; }
+  /// Bytes of the polynomials and of the pattern by nodes.
+  [[nodiscard]] double bytes() const {
+    return 8.0 * static_cast<double>(entries() * (mr_ + mc_ + 2) + size());
+  }
+
   /// target − A g for direction a, g in units of 1/Δ.
   [[nodiscard]] Eigen::VectorXd residual(const Eigen::VectorXd& g, int a) const {
     Eigen::VectorXd left(size());

@@ -62,7 +62,7 @@ AnyKernel kernel_of(const Scene& scene) {
 
 /// Natural boundaries: D = −GᵀV.
 template <int D>
-void add_adjoint_operators(const Scene& scene, Discretisation<D>& disc) {
+void add_adjoint_operators(const Scene& scene, Gradients gradients, Discretisation<D>& disc) {
   const Particles<D>& particles = disc.particles;
   const double h = scene.kernel.support.value_or(0.0) * particles.spacing;
   const Correction correction = correction_of(scene);
@@ -74,7 +74,7 @@ void add_adjoint_operators(const Scene& scene, Discretisation<D>& disc) {
         point_gradient<D>(kernel_of(scene), h, disc.points.X, particles.X, scene.kernel.order);
   else
     disc.gradient = cell_gradient<D>(particles, disc.points);
-  if (scene.consistency) {
+  if (scene.consistency && gradients == Gradients::corrected) {
     auto corrected = consistent_gradient<D>(disc.gradient, disc.points, particles,
                                             {scene.consistency->rows, scene.consistency->columns},
                                             scene.consistency->place);
@@ -111,7 +111,7 @@ void add_ghost_operators(const Scene& scene, Discretisation<D>& disc) {
 }  // namespace
 
 template <int D>
-Discretisation<D> build(const Scene& scene) {
+Discretisation<D> build(const Scene& scene, Gradients gradients) {
   Discretisation<D> disc;
   disc.particles = build_particles<D>(scene);
   if (scene.consistency && is_collocated(scene.formulation)) {
@@ -128,14 +128,14 @@ Discretisation<D> build(const Scene& scene) {
   parts::add_materials<D>(scene, disc);
   parts::add_conditions<D>(scene, disc);
   if (disc.adjoint)
-    add_adjoint_operators<D>(scene, disc);
+    add_adjoint_operators<D>(scene, gradients, disc);
   else
     add_ghost_operators<D>(scene, disc);
   parts::add_stabiliser<D>(scene, disc);
   return disc;
 }
 
-template Discretisation<1> build<1>(const Scene&);
-template Discretisation<2> build<2>(const Scene&);
+template Discretisation<1> build<1>(const Scene&, Gradients);
+template Discretisation<2> build<2>(const Scene&, Gradients);
 
 }  // namespace tlsph

@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 
 #include "tlsph/dynamics/critical_step.hpp"
+#include "tlsph/linear/factor_cost.hpp"
+#include "tlsph/operators/consistency.hpp"
 #include "tlsph/scene/names.hpp"
 #include "tlsph/simulation/builder.hpp"
 #include "tlsph/simulation/simulation.hpp"
@@ -16,9 +19,42 @@ std::string operator_line(const char* name, Index rows, Index cols, Index nonzer
                      what);
 }
 
+/// A plan does not wait longer than this for a factorisation [s].
+constexpr double patience = 20.0;
+/// Share of the speed on a dense matrix that sparse factorisations reach.
+constexpr double sparse_share = 0.5;
+/// Passes over the factor in the solves that follow a factorisation, and bytes read a second.
+constexpr double passes = 40.0, bandwidth = 5e9;
+
+/// What the correction of the gradient takes.
+struct CorrectionCost {
+  FactorCost factor;
+  double seconds = 0.0;
+};
+
 template <int D>
-std::string plan_in(const Scene& scene) {
-  const Discretisation<D> disc = build<D>(scene);
+std::optional<CorrectionCost> correction_cost(const Scene& scene) {
+  if (!scene.consistency) return std::nullopt;
+  const Discretisation<D> disc = build<D>(scene, Gradients::fitted);
+  CorrectionCost cost;
+  cost.factor = consistency_cost<D>(disc.gradient, disc.points, disc.particles,
+                                    {scene.consistency->rows, scene.consistency->columns});
+  cost.seconds = D * (cost.factor.flops / (sparse_share * factorisation_speed()) +
+                      passes * 8.0 * cost.factor.entries / bandwidth);
+  return cost;
+}
+
+std::string correction_line(const Scene& scene, const CorrectionCost& cost, int directions) {
+  return fmt::format(
+      "consistency to degrees ({}, {}): {} unknowns, {:.3g} entries in the factor, {} x {:.3g} "
+      "operations: about {:.2g} s on one core, {:.3g} MB\n",
+      scene.consistency->rows, scene.consistency->columns, cost.factor.rows, cost.factor.entries,
+      directions, cost.factor.flops, cost.seconds, cost.factor.bytes * 1e-6);
+}
+
+/// Steps and the time they cover; without an adjoint what may grow.
+template <int D>
+std::string step_lines(const Scene& scene, const Discretisation<D>& disc) {
   InitialState<D> initial = build_initial<D>(scene, disc);
   (void)build_exact<D>(scene, disc);
   State<D> state =
@@ -27,6 +63,22 @@ std::string plan_in(const Scene& scene) {
   const CriticalStep critical = critical_step<D>(disc, state);
   const double dt = scene.time.step.value_or(scene.time.safety * critical.dt);
   const double steps = std::ceil(scene.time.end / dt);
+  std::string text = fmt::format(
+      "time step {:.4e} s (critical {:.4e} s = {:.3f} spacings/c_p), {:.0f} steps to "
+      "{:.4g} s\n",
+      dt, critical.dt, critical.scaled, steps, scene.time.end);
+  if (critical.growth)
+    text += fmt::format("largest growth rate of a free motion {:.2e} c_p/spacing\n",
+                        *critical.growth * disc.spacing / disc.wave_speed());
+  return text;
+}
+
+template <int D>
+std::string plan_in(const Scene& scene) {
+  const std::optional<CorrectionCost> correction = correction_cost<D>(scene);
+  const bool patient = !correction || correction->seconds <= patience;
+  const Discretisation<D> disc =
+      build<D>(scene, patient ? Gradients::corrected : Gradients::fitted);
 
   std::string text;
   if (!scene.title.empty()) text += scene.title + "\n";
@@ -64,15 +116,13 @@ std::string plan_in(const Scene& scene) {
   text += fmt::format("boundary: {} components held, {} moved, {} loads\n",
                       disc.constraints.fixed.size() + disc.constraints.held.size(),
                       disc.constraints.moved.size(), disc.loads.size());
-  text += fmt::format(
-      "time step {:.4e} s (critical {:.4e} s = {:.3f} spacings/c_p), {:.0f} steps to "
-      "{:.4g} s\n",
-      dt, critical.dt, critical.scaled, steps, scene.time.end);
-  if (critical.growth)
-    text += fmt::format("largest growth rate of a free motion {:.2e} c_p/spacing\n",
-                        *critical.growth * disc.spacing / disc.wave_speed());
-  text += fmt::format("memory about {:.3g} MB\n",
-                      estimated_bytes(scene, static_cast<double>(disc.nodes())) * 1e-6);
+  if (correction) text += correction_line(scene, *correction, D);
+  text += patient ? step_lines<D>(scene, disc)
+                  : std::string("time step: known once the gradient is corrected, in a run\n");
+  const double bytes = correction ? operator_bytes(scene, static_cast<double>(disc.nodes())) +
+                                        correction->factor.bytes
+                                  : operator_bytes(scene, static_cast<double>(disc.nodes()));
+  text += fmt::format("memory about {:.3g} MB\n", bytes * 1e-6);
   return text;
 }
 

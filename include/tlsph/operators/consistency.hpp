@@ -36,6 +36,7 @@
 /// *Cost.* (k_r, k_c) = (1, 1) in 2D: six unknowns a particle; the factor grows like N log N.
 
 #include "tlsph/core/error.hpp"
+#include "tlsph/linear/factor_cost.hpp"
 #include "tlsph/operators/vector_operator.hpp"
 #include "tlsph/particles/particles.hpp"
 
@@ -75,5 +76,13 @@ template <int D>
                                                          const MaterialPoints<D>& points,
                                                          const Particles<D>& particles,
                                                          ConsistencyDegrees degrees);
+
+/// The cost of the factorisation behind `consistent_gradient`, once for each direction, from its
+/// symbolic analysis; `bytes` holds the constraints and their matrix too.
+template <int D>
+[[nodiscard]] FactorCost consistency_cost(const VectorOperator<D>& gradient,
+                                          const MaterialPoints<D>& points,
+                                          const Particles<D>& particles,
+                                          ConsistencyDegrees degrees);
 
 }  // namespace tlsph

@@ -13,9 +13,14 @@ namespace tlsph {
 template <int D>
 [[nodiscard]] Particles<D> build_particles(const Scene& scene);
 
+/// Whether gradients are corrected to the degrees the scene asks for, or left as they are fitted: a
+/// plan looks at what the correction would cost.
+enum class Gradients { corrected, fitted };
+
 /// Everything a run needs. InputError, with the place in the scene, for what cannot be modelled.
 template <int D>
-[[nodiscard]] Discretisation<D> build(const Scene& scene);
+[[nodiscard]] Discretisation<D> build(const Scene& scene,
+                                      Gradients gradients = Gradients::corrected);
 
 /// Displacement and velocity at t = 0 (N×d).
 template <int D>
@@ -32,8 +37,10 @@ template <int D>
 [[nodiscard]] ExactSolution<D> build_exact(const Scene& scene,
                                            const Discretisation<D>& discretisation);
 
-/// Bytes a run of so many particles needs at its peak, an estimate by formulation and support.
-[[nodiscard]] double estimated_bytes(const Scene& scene, double particles);
+/// Bytes a run of so many particles needs at its peak, an estimate by formulation and support: of
+/// its operators and fields, and of the factor behind a correction of the gradient.
+[[nodiscard]] double operator_bytes(const Scene& scene, double particles);
+[[nodiscard]] double correction_bytes(const Scene& scene, double particles);
 /// Bytes of memory this machine has.
 [[nodiscard]] double machine_bytes();
 
