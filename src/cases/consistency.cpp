@@ -217,7 +217,11 @@ void momenta(CaseRun& run) {
   };
   thrown.emplace_back(
       "initial.velocity={constant=[1.0, -2.0], gradient=[[2.0, 1.0], [-3.0, -1.5]]}");
+  thrown.emplace_back("stabiliser.as=stiffness");
   judge_drift("disc with a hole", run.scene("flight", "ring.toml", thrown).summary, true);
+  thrown.back() = "stabiliser.as=viscosity";
+  run.report(source, "drift of angular momentum, disc with a hole, stabiliser as viscosity",
+             run.scene("damped", "ring.toml", thrown).summary.angular_momentum_drift);
   judge_drift("bar",
               run.scene("shot", "bar.toml",
                         {"boundary=[]", "reference.exact=none",
@@ -234,6 +238,30 @@ void momenta(CaseRun& run) {
   evaluate<2>(ring, state);
   run.at_most(source, "stress over Young's modulus, disc with a hole, turned by 137 degrees", 1e-12,
               state.P.cwiseAbs().maxCoeff() / 1e6);
+}
+
+/// The viscous matrix counts: a run just below the computed step stays, one just above does not.
+void step_limits(CaseRun& run) {
+  constexpr const char* source = "computed critical step";
+  for (const char* degrees : {"[1, 1]", "[2, 1]"}) {
+    std::vector<std::string> overrides = {std::string("consistency=") + degrees,
+                                          "body.spacing=0.015625", "time.end=2e-4"};
+    const double critical = run.scene("step", "plate.toml", overrides).summary.dt_critical;
+    overrides.back() = "time.end=3e-2";
+    for (const double share : {0.99, 1.03}) {
+      overrides.push_back(fmt::format("time.step={:.17g}", share * critical));
+      const CaseScene end = run.scene("limit", "plate.toml", overrides);
+      overrides.pop_back();
+      const double error = end.failed_at ? INFINITY : *end.summary.errors.displacement;
+      const std::string text = fmt::format(
+          "displacement error after 30 ms at {} of the critical step, 64 cells a side, degrees {}",
+          share, degrees);
+      if (share < 1.0)
+        run.at_most(source, text, 5e-3, error);
+      else
+        run.at_least(source, text, 1e3, error);
+    }
+  }
 }
 
 void bars(CaseRun& run) {
@@ -255,6 +283,7 @@ void consistency(CaseRun& run) {
   constant_stress(run);
   momenta(run);
   bars(run);
+  step_limits(run);
   lattices(run);
   irregular_plates(run);
 }

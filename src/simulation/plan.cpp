@@ -21,10 +21,8 @@ std::string operator_line(const char* name, Index rows, Index cols, Index nonzer
 
 /// A plan does not wait longer than this for a factorisation [s].
 constexpr double patience = 20.0;
-/// Share of the speed on a dense matrix that sparse factorisations reach.
-constexpr double sparse_share = 0.5;
 /// Passes over the factor in the solves that follow a factorisation, and bytes read a second.
-constexpr double passes = 40.0, bandwidth = 5e9;
+constexpr double passes = 12.0, bandwidth = 8e9;
 
 /// What the correction of the gradient takes.
 struct CorrectionCost {
@@ -39,7 +37,7 @@ std::optional<CorrectionCost> correction_cost(const Scene& scene) {
   CorrectionCost cost;
   cost.factor = consistency_cost<D>(disc.gradient, disc.points, disc.particles,
                                     {scene.consistency->rows, scene.consistency->columns});
-  cost.seconds = D * (cost.factor.flops / (sparse_share * factorisation_speed()) +
+  cost.seconds = D * (cost.factor.flops / factorisation_speed() +
                       passes * 8.0 * cost.factor.entries / bandwidth);
   return cost;
 }

@@ -20,14 +20,15 @@ def draw(folder):
         for method, (marker, colour) in METHODS.items():
             worst, best = data[f"{method} {quantity} worst"], data[f"{method} {quantity} best"]
             panel.fill_between(spacing, best, worst, color=colour, alpha=0.25, linewidth=0)
-            panel.loglog(spacing, worst, marker=marker, markersize=4, color=colour, label=method)
+            panel.loglog(spacing, data[f"{method} {quantity} median"], marker=marker, markersize=4, color=colour,
+                         label=method)
         low = data[f"consistent, degrees (2, 1) {quantity} worst"][-1] / 2
         panel.loglog(spacing, low * (spacing / spacing[-1]) ** 2, ":", color=FAINT)
         panel.text(spacing[1], low * (spacing[1] / spacing[-1]) ** 2 / 2.2, "order 2", color=FAINT, fontsize=8)
         panel.set(title=text, xlabel="spacing Δ [m]")
         panel.set_xticks(spacing, [f"1/{round(1 / h)}" for h in spacing])
         panel.tick_params(axis="x", which="minor", bottom=False, labelbottom=False)
-    axes[0].set_ylabel("relative L2 error, worst of three seeds")
+    axes[0].set_ylabel("relative L2 error, median and spread")
     below = figure.add_subplot(grid[1, :])
     below.axis("off")
     below.legend(*axes[0].get_legend_handles_labels(), loc="center", ncols=3)

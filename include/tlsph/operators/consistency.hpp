@@ -33,7 +33,19 @@
 /// particles/moments.hpp provides for collocated operators: volumes exact to degree k_r + k_c − 1,
 /// boundary areas to k_r + k_c.
 ///
-/// *Cost.* (k_r, k_c) = (1, 1) in 2D: six unknowns a particle; the factor grows like N log N.
+/// *Where the quadrature errs.* That much makes the system solvable, not δ small. Take smooth m and
+/// p: the constraints ask Σ_s V_s (m G p + p G m) = Σ_q B_q m p, so what V lacks of ∫ ∂(m p), an
+/// h² of third derivatives, has to come from the third moments Σ_q δ (X_q − X_s)³ with rows of
+/// degree two in the way. They can match one that is the same everywhere, as that of a trapezoidal
+/// rule, but not one that varies: if volumes are made exact by a polynomial spread over the body,
+/// δ grows as 1/h, the critical step falls as h² and accuracy goes. For degrees (2, 1) each
+/// neighbourhood is therefore exact by itself (operators/local_volumes.hpp,
+/// particles/boundary_runs.hpp). δ then does not depend on h, and on a lattice the solution
+/// converges with order three.
+///
+/// *Cost.* In 2D (1, 1) has six unknowns a particle, (2, 1) nine; the factor grows as N log N, the
+/// operations as N^(3/2). One factorisation a direction at set-up, nothing in a step: the pattern
+/// of G is what it was. `consistency_cost` foretells it, `tlsph plan` prints that.
 
 #include "tlsph/core/error.hpp"
 #include "tlsph/linear/factor_cost.hpp"

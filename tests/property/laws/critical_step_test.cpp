@@ -30,6 +30,8 @@ std::vector<Run> runs() {
   const Variant wide{"hole", "stress-point", "", "wendland-c2", "2.1"};
   const Variant nodes{"jittered", "variational", "gradient", "wendland-c2", "2.5"};
   const Variant mixed{"disc", "variational", "mixed", "lucy", "2.5"};
+  const Variant corrected{"jittered", "consistent", "", "wendland-c2", "3.1", "[1, 1]"};
+  const Variant quadratic{"jittered", "consistent", "", "wendland-c2", "3.6", "[2, 1]"};
   const Variant nodes_bar{"interval", "variational", "gradient", "cubic-spline", "2.4"};
   const auto stabilised = [](const Variant& variant, const char* action) {
     return std::vector<std::string>{"stabiliser.kind=" + variant.stabiliser(),
@@ -39,7 +41,8 @@ std::vector<Run> runs() {
   for (const auto& [name, variant] :
        {std::pair{"bar", bar}, std::pair{"cells", cells}, std::pair{"quads", quads},
         std::pair{"wide", wide}, std::pair{"nodes", nodes}, std::pair{"mixed", mixed},
-        std::pair{"nodes_bar", nodes_bar}}) {
+        std::pair{"nodes_bar", nodes_bar}, std::pair{"corrected", corrected},
+        std::pair{"quadratic", quadratic}}) {
     list.push_back({name, variant, {}});
     list.push_back({std::string(name) + "_stiffened", variant, stabilised(variant, "stiffness")});
     list.push_back({std::string(name) + "_damped", variant, stabilised(variant, "viscosity")});
