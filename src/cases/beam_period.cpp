@@ -80,16 +80,19 @@ void beam_period(CaseRun& run) {
     for (std::size_t k = 0; k < particles.size(); ++k) {
       const double seen = period(run, method.overrides, particles.at(k));
       values.back().push_back(seen / exact_period - 1);
-      const std::string text = fmt::format(
-          "first period [s], {} particles through the thickness, {}", particles.at(k), method.name);
+      const std::string text =
+          fmt::format("error of the first period [%], {} particles through the thickness, {}",
+                      particles.at(k), method.name);
       if (method.within[k] > 0.0)
-        run.relative(source, text, exact_period, seen, method.within[k]);
+        run.absolute(source, text, 0.0, 100 * values.back().back(), 100 * method.within[k]);
       else
-        run.report(source, text, seen, exact_period);
+        run.report(source, text, 100 * values.back().back(), 0.0);
     }
   }
-  run.relative(source, "first period [s], 10 particles, consistent (2, 1), three periods of a run",
-               exact_period, period_of_run(run, 10), 2e-3);
+  run.absolute(source,
+               "error of the first period [%], 10 particles, consistent (2, 1), three periods of "
+               "a run",
+               0.0, 100 * (period_of_run(run, 10) / exact_period - 1), 0.2);
   run.table("periods", columns, values);
 }
 

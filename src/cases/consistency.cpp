@@ -252,7 +252,7 @@ void step_limits(CaseRun& run) {
       overrides.push_back(fmt::format("time.step={:.17g}", share * critical));
       const CaseScene end = run.scene("limit", "plate.toml", overrides);
       overrides.pop_back();
-      const double error = end.failed_at ? INFINITY : *end.summary.errors.displacement;
+      const double error = end.failed_at ? INFINITY : end.summary.errors->displacement;
       const std::string text = fmt::format(
           "displacement error after 30 ms at {} of the critical step, 64 cells a side, degrees {}",
           share, degrees);

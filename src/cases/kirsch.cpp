@@ -92,7 +92,7 @@ void hoop_table(const CaseRun& run, std::string name, const Plate& plate) {
 struct Method {
   const char* name;
   std::vector<std::string> overrides;
-  double peak, edge, stress, order;
+  std::array<double, 3> within, order;  ///< of the peak, along the hole, of all stresses
 };
 
 }  // namespace
@@ -100,9 +100,9 @@ struct Method {
 void kirsch(CaseRun& run) {
   constexpr const char* source = "Kirsch 1898";
   const std::array methods = {
-      Method{"consistent", {}, 0.01, 0.02, 4e-3, 1.5},
-      Method{"consistent, irregular", {"body.jitter=0.2"}, 0.01, 0.02, 4e-3, 1.5},
-      Method{"variational", {"formulation=variational"}, 0, 0, 0, 0}};
+      Method{"consistent", {}, {0.01, 0.02, 4e-3}, {1.5, 1.0, 1.5}},
+      Method{"consistent, irregular", {"body.jitter=0.2"}, {0.01, 0.02, 4e-3}, {1.5, 1.0, 1.5}},
+      Method{"variational", {"formulation=variational"}, {}, {}}};
   std::vector<double> spacings;
   for (const int n : particles) spacings.push_back(radius / n);
   std::vector<std::string> columns = {"spacing"};
@@ -116,7 +116,6 @@ void kirsch(CaseRun& run) {
         errors.at(k).push_back(error);
       if (n == particles.back()) hoop_table(run, method.name, plate);
     }
-    const std::array limits = {method.peak, method.edge, method.stress};
     const std::array names = {"peak stress at the top of the hole",
                               "largest error of the hoop stress along the hole",
                               "relative L2 error of the stress"};
@@ -125,15 +124,15 @@ void kirsch(CaseRun& run) {
         const std::string text =
             fmt::format("{}{}, {} particles a radius, {}", k == 0 ? "error of the " : "", names[k],
                         particles.at(i), method.name);
-        if (limits[k] > 0.0 && i + 1 == particles.size())
-          run.at_most(source, text, limits[k], errors[k][i]);
+        if (method.within[k] > 0.0 && i + 1 == particles.size())
+          run.at_most(source, text, method.within[k], errors[k][i]);
         else
           run.report(source, text, errors[k][i]);
       }
       const std::string text = fmt::format("order of convergence, {}, {}", names[k], method.name);
       const double order = fit_order(spacings, errors[k]).order;
-      if (method.order > 0.0)
-        run.at_least(source, text, method.order, order);
+      if (method.order[k] > 0.0)
+        run.at_least(source, text, method.order[k], order);
       else
         run.report(source, text, order);
       columns.push_back(fmt::format("{} {}", method.name, k));
