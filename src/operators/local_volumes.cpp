@@ -60,6 +60,26 @@ std::vector<RulePoint<D>> over_cells(const Particles<D>& particles) {
   return rule;
 }
 
+/// Triangles of a cloud, by the middles of their edges: exact for quadratics.
+void add_triangles(const Particles<2>& particles, std::vector<RulePoint<2>>& rule) {
+  for (const Triangle& triangle : particles.triangles) {
+    const auto corner = [&](std::size_t c) -> Vector<2> {
+      return particles.X.row(triangle[c % 3]).transpose();
+    };
+    const Vector<2> u = corner(1) - corner(0);
+    const Vector<2> v = corner(2) - corner(0);
+    const double area = 0.5 * (u.x() * v.y() - u.y() * v.x());
+    for (std::size_t c = 0; c < 3; ++c) {
+      RulePoint<2> point;
+      point.X = 0.5 * (corner(c) + corner(c + 1));
+      point.weight = area / 3;
+      point.node = {triangle[c], triangle[(c + 1) % 3], triangle[c], triangle[(c + 1) % 3]};
+      point.linear = {0.25, 0.25, 0.25, 0.25};
+      rule.push_back(point);
+    }
+  }
+}
+
 /// Between chords and arcs: ℓ²φ/6 (1 + 2φ²/15) at two fifths of the rise, half a turn φ a chord.
 void add_segments(const Particles<2>& particles, std::vector<RulePoint<2>>& rule) {
   const Patch<2>* boundary = particles.find("boundary");
@@ -104,8 +124,9 @@ void add_fit(const RulePoint<D>& point, const int* near, Index count, const Vect
 
 template <int D>
 ScalarField local_volumes(const Particles<D>& particles) {
-  if (particles.cells.empty()) return particles.V;
   std::vector<RulePoint<D>> rule = over_cells<D>(particles);
+  if constexpr (D == 2) add_triangles(particles, rule);
+  if (rule.empty()) return particles.V;
   if constexpr (D == 2) add_segments(particles, rule);
   VectorField<D> at(static_cast<Index>(rule.size()), D);
   ScalarField linear = ScalarField::Zero(particles.size());

@@ -9,6 +9,7 @@
 
 #include "tlsph/geometry/region.hpp"
 #include "tlsph/particles/fitted.hpp"
+#include "tlsph/particles/hexagonal.hpp"
 #include "tlsph/particles/jitter.hpp"
 #include "tlsph/particles/lattice.hpp"
 #include "tlsph/particles/moments.hpp"
@@ -27,6 +28,20 @@ TEST(LocalVolumes, IntegrateQuadraticsOverIrregularCells) {
   const ScalarField V = local_volumes<2>(body);
 
   EXPECT_GT(V.minCoeff(), 0.0);
+  for (const auto& [i, j] : monomials<2>(2)) {
+    double sum = 0.0;
+    for (Index q = 0; q < body.size(); ++q)
+      sum += V[q] * std::pow(body.X(q, 0), i) * std::pow(body.X(q, 1), j);
+    EXPECT_NEAR(sum, 1.0 / ((i + 1) * (j + 1)), 1e-13) << i << j;
+  }
+}
+
+TEST(LocalVolumes, IntegrateQuadraticsOverTriangles) {
+  const Particles<2> body = hexagonal_lattice(make_box<2>({0.0, 0.0}, {1.0, 1.0}), 0.1);
+  ASSERT_TRUE(body.cells.empty());
+
+  const ScalarField V = local_volumes<2>(body);
+
   for (const auto& [i, j] : monomials<2>(2)) {
     double sum = 0.0;
     for (Index q = 0; q < body.size(); ++q)
