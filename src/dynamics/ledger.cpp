@@ -1,5 +1,6 @@
 #include "tlsph/dynamics/ledger.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace tlsph {
@@ -8,76 +9,171 @@ namespace {
 /// x × f in 2D, zero in 1D; positions of the reference configuration for linear elasticity, whose
 /// energy is not invariant under finite rotations.
 template <int D>
-double moment(const Discretisation<D>& disc, const State<D>& state, bool linear, Index node,
-              const Vector<D>& force) {
-  if constexpr (D == 2) {
-    Vector<D> x = disc.particles.X.row(node).transpose();
-    if (!linear) x += state.u.row(node).transpose();
+double cross(const Vector<D>& x, const Vector<D>& force) {
+  if constexpr (D == 2)
     return x[0] * force[1] - x[1] * force[0];
-  } else {
+  else
     return 0.0;
+}
+
+/// Forces, displacements and velocities by degree of freedom (`slots` nullptr), or those a sweep
+/// gathered, by slot.
+template <int D>
+struct Books {
+  const Discretisation<D>& disc;
+  const double* f;
+  const double* u;
+  const double* before;  // velocity at t_{n−½}
+  const BoundaryForces<D>* slots;
+  double time;
+  double kick;
+  bool linear;
+
+  [[nodiscard]] Index slot(const std::vector<Index>& list, std::size_t k, Index dof) const {
+    return slots == nullptr ? dof : list[k];
+  }
+  [[nodiscard]] Vector<D> position(Index dof, Index slot) const {
+    Vector<D> x = disc.particles.X.row(dof / D).transpose();
+    if (!linear)
+      for (int i = 0; i < D; ++i) x[i] += u[slot / D * D + i];
+    return x;
+  }
+};
+
+/// Half a step's share of what the forces at t_n do while the velocity is `velocity(slot, dof)` for
+/// `dt`; `next(slot, dof)` is that of the coming half step.
+template <int D, class Velocity, class Next>
+void book_half(Ledger<D>& ledger, const Books<D>& books, double dt, const Velocity& velocity,
+               const Next& next, const Vector<D>& moment_of_mass) {
+  const Discretisation<D>& disc = books.disc;
+  const auto push = [&](Index dof, Index slot, double force) {
+    Vector<D> vector = Vector<D>::Zero();
+    vector[dof % D] = force;
+    ledger.impulse[dof % D] += 0.5 * dt * force;
+    if constexpr (D > 1)
+      ledger.angular_impulse += 0.5 * dt * cross<D>(books.position(dof, slot), vector);
+  };
+  static const std::vector<Index> none;
+  for (std::size_t l = 0; l < disc.loads.size(); ++l) {
+    const Load& load = disc.loads[l];
+    const std::vector<Index>& list = books.slots == nullptr ? none : books.slots->loads[l];
+    const double pressure = value(load.curve, books.time);
+    for (std::size_t k = 0; k < load.dof.size(); ++k) {
+      const Index slot = books.slot(list, k, load.dof[k]);
+      const double force = pressure * load.weight[k];
+      ledger.external_work += 0.5 * dt * force * velocity(slot, load.dof[k]);
+      push(load.dof[k], slot, force);
+    }
+  }
+  const auto still = [&](const std::vector<Index>& dofs, const std::vector<Index>& list) {
+    for (std::size_t k = 0; k < dofs.size(); ++k) {
+      const Index slot = books.slot(list, k, dofs[k]);
+      push(dofs[k], slot, -books.f[slot]);
+    }
+  };
+  still(disc.constraints.fixed, books.slots == nullptr ? none : books.slots->fixed);
+  still(disc.constraints.held, books.slots == nullptr ? none : books.slots->held);
+  const std::vector<Index>& moved = books.slots == nullptr ? none : books.slots->moved;
+  for (std::size_t k = 0; k < disc.constraints.moved.size(); ++k) {
+    const Index dof = disc.constraints.moved[k].dof;
+    const Index slot = books.slot(moved, k, dof);
+    const double change = next(slot, dof) - books.before[slot];
+    const double reaction = disc.mass[dof / D] * change / books.kick - books.f[slot];
+    ledger.external_work += 0.5 * dt * reaction * velocity(slot, dof);
+    push(dof, slot, reaction);
+  }
+  if (disc.has_body_force()) {
+    ledger.impulse += 0.5 * dt * disc.mass.sum() * disc.body_force;
+    ledger.angular_impulse += 0.5 * dt * cross<D>(moment_of_mass, disc.body_force);
   }
 }
 
-/// Half a step's share of what the forces at t_n do while the velocity is `velocity(dof)` for `dt`.
-template <int D, class Velocity>
-void book(Ledger<D>& ledger, const Discretisation<D>& disc, const State<D>& state, double dt,
-          double kick, double next_dt, const Velocity& velocity) {
-  const bool linear = disc.linear();
-  const auto push = [&](Index dof, double force) {
-    Vector<D> vector = Vector<D>::Zero();
-    vector[dof % D] = force;
-    ledger.impulse += 0.5 * dt * vector;
-    ledger.angular_impulse += 0.5 * dt * moment<D>(disc, state, linear, dof / D, vector);
-  };
-  for (const Load& load : disc.loads) {
-    const double pressure = value(load.curve, state.time);
-    for (std::size_t k = 0; k < load.dof.size(); ++k) {
-      const double force = pressure * load.weight[k];
-      ledger.external_work += 0.5 * dt * force * velocity(load.dof[k]);
-      push(load.dof[k], force);
-    }
-  }
-  for (const auto* still : {&disc.constraints.fixed, &disc.constraints.held})
-    for (const Index dof : *still) push(dof, -state.f.data()[dof]);
-  for (const auto& motion : disc.constraints.moved) {
-    const double next = value(disc.constraints.curves[motion.curve], state.time + next_dt);
-    const double change =
-        (next - state.u.data()[motion.dof]) / next_dt - state.v.data()[motion.dof];
-    const double reaction = disc.mass[motion.dof / D] * change / kick - state.f.data()[motion.dof];
-    ledger.external_work += 0.5 * dt * reaction * velocity(motion.dof);
-    push(motion.dof, reaction);
-  }
-  if (disc.has_body_force())
-    for (Index q = 0; q < disc.nodes(); ++q) {
-      const Vector<D> weight = disc.mass[q] * disc.body_force;
-      ledger.impulse += 0.5 * dt * weight;
-      ledger.angular_impulse += 0.5 * dt * moment<D>(disc, state, linear, q, weight);
-    }
+template <int D>
+Vector<D> moment_if_needed(const Discretisation<D>& disc, const VectorField<D>& u) {
+  return D > 1 && disc.has_body_force() ? moment_of_mass<D>(disc, u) : Vector<D>(Vector<D>::Zero());
 }
 
 }  // namespace
 
 template <int D>
+Vector<D> moment_of_mass(const Discretisation<D>& disc, const VectorField<D>& u) {
+  Vector<D> sum = disc.particles.X.transpose() * disc.mass;
+  if (!disc.linear()) sum += u.transpose() * disc.mass;
+  return sum;
+}
+
+template <int D>
+BoundaryForces<D>::BoundaryForces(const Discretisation<D>& disc) {
+  const auto add = [&](Index dof) { nodes.push_back(dof / D); };
+  for (const Load& load : disc.loads) std::ranges::for_each(load.dof, add);
+  std::ranges::for_each(disc.constraints.fixed, add);
+  std::ranges::for_each(disc.constraints.held, add);
+  for (const auto& motion : disc.constraints.moved) add(motion.dof);
+  std::ranges::sort(nodes);
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  const auto slot = [&](Index dof) {
+    return (std::ranges::lower_bound(nodes, dof / D) - nodes.begin()) * D + dof % D;
+  };
+  const auto slots = [&](const std::vector<Index>& dofs) {
+    std::vector<Index> list(dofs.size());
+    std::ranges::transform(dofs, list.begin(), slot);
+    return list;
+  };
+  for (const Load& load : disc.loads) loads.push_back(slots(load.dof));
+  fixed = slots(disc.constraints.fixed);
+  held = slots(disc.constraints.held);
+  for (const auto& motion : disc.constraints.moved) moved.push_back(slot(motion.dof));
+  const auto rows = static_cast<Index>(nodes.size());
+  f = u = v = VectorField<D>::Zero(rows, D);
+}
+
+template <int D>
 void Ledger<D>::arrive(const Discretisation<D>& disc, const State<D>& state, double dt) {
   const double way = state.last_dt;
-  book<D>(*this, disc, state, way, 0.5 * (way + dt), dt,
-          [&](Index dof) { return state.v.data()[dof]; });
+  const Books<D> books{disc,    state.f.data(), state.u.data(),   state.v.data(),
+                       nullptr, state.time,     0.5 * (way + dt), disc.linear()};
+  book_half<D>(
+      *this, books, way, [&](Index, Index dof) { return state.v.data()[dof]; },
+      [&](Index, Index dof) { return next_velocity<D>(disc, state, dt, dof); },
+      moment_if_needed<D>(disc, state.u));
   if (disc.viscosity.nonZeros() > 0)
     dissipated += 0.5 * way * state.viscous.cwiseProduct(state.v).sum();
 }
 
 template <int D>
 void Ledger<D>::depart(const Discretisation<D>& disc, const State<D>& state, double dt) {
-  const double kick = 0.5 * (state.last_dt + dt);
-  book<D>(*this, disc, state, dt, kick, dt,
-          [&](Index dof) { return next_velocity<D>(disc, state, dt, dof); });
+  const Books<D> books{disc,
+                       state.f.data(),
+                       state.u.data(),
+                       state.v.data(),
+                       nullptr,
+                       state.time,
+                       0.5 * (state.last_dt + dt),
+                       disc.linear()};
+  const auto next = [&](Index, Index dof) { return next_velocity<D>(disc, state, dt, dof); };
+  book_half<D>(*this, books, dt, next, next, moment_if_needed<D>(disc, state.u));
   if (disc.viscosity.nonZeros() > 0) {
     double power = 0.0;
     for (Index dof = 0; dof < state.v.size(); ++dof)
       power += state.viscous.data()[dof] * next_velocity<D>(disc, state, dt, dof);
     dissipated += 0.5 * dt * power;
   }
+}
+
+template <int D>
+void Ledger<D>::book(const Discretisation<D>& disc, const BoundaryForces<D>& forces,
+                     const State<D>& after, double time, double way, double dt, bool arrived) {
+  const Books<D> books{disc, forces.f.data(),  forces.u.data(), forces.v.data(), &forces,
+                       time, 0.5 * (way + dt), disc.linear()};
+  const auto next = [&](Index, Index dof) { return after.v.data()[dof]; };
+  if (!arrived) {
+    book_half<D>(
+        *this, books, way, [&](Index slot, Index) { return forces.v.data()[slot]; }, next,
+        forces.moment_of_mass);
+    dissipated += 0.5 * way * forces.viscous_power;
+  }
+  book_half<D>(*this, books, dt, next, next, forces.moment_of_mass);
+  dissipated += 0.5 * dt * forces.viscous_power_after;
 }
 
 template <int D>
@@ -120,7 +216,7 @@ Balance<D> balance(const Discretisation<D>& disc, const State<D>& state, double 
     Vector<D> x = disc.particles.X.row(q).transpose();
     if (!linear) x += state.u.row(q).transpose();
     result.linear_momentum += p;
-    result.angular_momentum += moment<D>(disc, state, linear, q, p);
+    result.angular_momentum += cross<D>(x, p);
     result.momentum_scale += p.norm();
     result.angular_scale += x.norm() * p.norm();
     if (disc.has_body_force()) result.gravity += m * disc.body_force.dot(state.u.row(q));
@@ -129,9 +225,11 @@ Balance<D> balance(const Discretisation<D>& disc, const State<D>& state, double 
   return result;
 }
 
-#define TLSPH_INSTANTIATE(D)                                                    \
-  template struct Ledger<D>;                                                    \
-  template double elastic_energy<D>(const Discretisation<D>&, const State<D>&); \
+#define TLSPH_INSTANTIATE(D)                                                             \
+  template struct Ledger<D>;                                                             \
+  template struct BoundaryForces<D>;                                                     \
+  template Vector<D> moment_of_mass<D>(const Discretisation<D>&, const VectorField<D>&); \
+  template double elastic_energy<D>(const Discretisation<D>&, const State<D>&);          \
   template Balance<D> balance<D>(const Discretisation<D>&, const State<D>&, double);
 TLSPH_INSTANTIATE(1)
 TLSPH_INSTANTIATE(2)

@@ -57,6 +57,43 @@ double apply_law(const Region<D>& region, const TensorField<D>& H, TensorField<D
       region.law);
 }
 
+/// H and P of the state; not finite where a stress is not.
+template <int D>
+double stresses(const Discretisation<D>& disc, State<D>& state) {
+  evaluate_signals(disc, state.time, state.signals);
+  if (disc.ghosts)
+    disc.ghosts->apply(state.u, state.signals, state.H, state.ghosts);
+  else
+    disc.gradient.gradient(state.u, state.H);
+  add_terms(disc.gradient_terms, state.signals, state.H.data());
+
+  double finite = 0.0;
+  for (const Region<D>& region : disc.regions) finite += apply_law(region, state.H, state.P);
+  for (const SignalTerm& term : disc.stress_values)
+    state.P.data()[term.slot] =
+        term.signal == no_signal ? 0.0 : term.weight * state.signals[term.signal];
+  return finite;
+}
+
+/// f of the state from its P.
+template <int D>
+void forces(const Discretisation<D>& disc, State<D>& state) {
+  disc.divergence.divergence(state.P, state.f);
+  add_terms(disc.force_terms, state.signals, state.f.data());
+  if (disc.adjoint)
+    for (const Load& load : disc.loads) {
+      const double pressure = value(load.curve, state.time);
+      for (std::size_t k = 0; k < load.dof.size(); ++k)
+        state.f.data()[load.dof[k]] += pressure * load.weight[k];
+    }
+  if (disc.has_body_force()) state.f.noalias() += disc.mass * disc.body_force.transpose();
+  if (disc.stiffness.nonZeros() > 0) subtract_differences<D>(disc.stiffness, state.u, state.f);
+  if (disc.viscosity.nonZeros() > 0) {
+    multiply_differences<D>(disc.viscosity, state.v, state.viscous);
+    state.f -= state.viscous;
+  }
+}
+
 template <int D>
 [[noreturn]] void report_failure(const Discretisation<D>& disc, const State<D>& state) {
   Index worst = 0;
@@ -110,34 +147,14 @@ State<D> make_state(const Discretisation<D>& disc, VectorField<D> u, VectorField
 
 template <int D>
 void evaluate(const Discretisation<D>& disc, State<D>& state) {
-  evaluate_signals(disc, state.time, state.signals);
-  if (disc.ghosts)
-    disc.ghosts->apply(state.u, state.signals, state.H, state.ghosts);
-  else
-    disc.gradient.gradient(state.u, state.H);
-  add_terms(disc.gradient_terms, state.signals, state.H.data());
+  if (!std::isfinite(stresses(disc, state))) report_failure(disc, state);
+  forces(disc, state);
+}
 
-  double finite = 0.0;
-  for (const Region<D>& region : disc.regions) finite += apply_law(region, state.H, state.P);
-  if (!std::isfinite(finite)) report_failure(disc, state);
-  for (const SignalTerm& term : disc.stress_values)
-    state.P.data()[term.slot] =
-        term.signal == no_signal ? 0.0 : term.weight * state.signals[term.signal];
-
-  disc.divergence.divergence(state.P, state.f);
-  add_terms(disc.force_terms, state.signals, state.f.data());
-  if (disc.adjoint)
-    for (const Load& load : disc.loads) {
-      const double pressure = value(load.curve, state.time);
-      for (std::size_t k = 0; k < load.dof.size(); ++k)
-        state.f.data()[load.dof[k]] += pressure * load.weight[k];
-    }
-  if (disc.has_body_force()) state.f.noalias() += disc.mass * disc.body_force.transpose();
-  if (disc.stiffness.nonZeros() > 0) subtract_differences<D>(disc.stiffness, state.u, state.f);
-  if (disc.viscosity.nonZeros() > 0) {
-    multiply_differences<D>(disc.viscosity, state.v, state.viscous);
-    state.f -= state.viscous;
-  }
+template <int D>
+void evaluate_unchecked(const Discretisation<D>& disc, State<D>& state) {
+  (void)stresses(disc, state);
+  forces(disc, state);
 }
 
 template <int D>
@@ -188,6 +205,7 @@ void advance(const Discretisation<D>& disc, State<D>& state, double dt, double n
 #define TLSPH_INSTANTIATE(D)                                                                  \
   template State<D> make_state<D>(const Discretisation<D>&, VectorField<D>, VectorField<D>);  \
   template void evaluate<D>(const Discretisation<D>&, State<D>&);                             \
+  template void evaluate_unchecked<D>(const Discretisation<D>&, State<D>&);                   \
   template double next_velocity<D>(const Discretisation<D>&, const State<D>&, double, Index); \
   template void start<D>(const Discretisation<D>&, State<D>&, double);                        \
   template void advance<D>(const Discretisation<D>&, State<D>&, double, double);

@@ -136,6 +136,22 @@ void Probes<D>::sample(const Discretisation<D>& disc, const State<D>& state, dou
   assert(out == row.size());
 }
 
+template <int D>
+std::vector<Index> Probes<D>::nodes() const {
+  std::vector<Index> all;
+  for (const Probe& probe : probes_)
+    all.insert(all.end(), probe.nodes.node.begin(), probe.nodes.node.end());
+  return all;
+}
+
+template <int D>
+std::vector<Index> Probes<D>::points() const {
+  std::vector<Index> all;
+  for (const Probe& probe : probes_)
+    all.insert(all.end(), probe.points.node.begin(), probe.points.node.end());
+  return all;
+}
+
 template class Probes<1>;
 template class Probes<2>;
 

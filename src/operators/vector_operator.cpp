@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "tlsph/core/parallel.hpp"
+#include "tlsph/operators/row_storage.hpp"
 
 namespace tlsph {
 template <int D>
@@ -44,69 +45,73 @@ VectorOperator<D>::VectorOperator(std::span<const SparseMatrix> directions)
 }
 
 template <int D>
-void VectorOperator<D>::gradient(const VectorField<D>& u, TensorField<D>& H) const {
-  assert(u.rows() == cols_ && H.rows() == rows_);
+template <bool PerComponent>
+void VectorOperator<D>::gradient_of(Index s, const double* u, double* H) const {
+  constexpr int numbers = PerComponent ? D * D : D;
   const Index* start = pattern_.start.data();
   const int* column = pattern_.column.data();
-  const double* weights = weights_.data();
+  double sum[D * D] = {};
+  for (Index k = start[s]; k < start[s + 1]; ++k) {
+    const double* w = weights_.data() + k * numbers;
+    const double* value = u + static_cast<Index>(column[k]) * D;
+    for (int i = 0; i < D; ++i)
+      for (int a = 0; a < D; ++a) sum[i * D + a] += w[PerComponent ? i * D + a : a] * value[i];
+  }
+  for (int c = 0; c < D * D; ++c) H[s * D * D + c] = sum[c];
+}
+
+template <int D>
+template <bool PerComponent>
+void VectorOperator<D>::divergence_of(Index q, const double* P, double* f) const {
+  constexpr int numbers = PerComponent ? D * D : D;
+  const Index* start = pattern_.start.data();
+  const int* column = pattern_.column.data();
+  double sum[D] = {};
+  for (Index k = start[q]; k < start[q + 1]; ++k) {
+    const double* w = weights_.data() + k * numbers;
+    const double* stress = P + static_cast<Index>(column[k]) * D * D;
+    for (int i = 0; i < D; ++i)
+      for (int a = 0; a < D; ++a) sum[i] += w[PerComponent ? i * D + a : a] * stress[i * D + a];
+  }
+  for (int i = 0; i < D; ++i) f[q * D + i] = sum[i];
+}
+
+template <int D>
+void VectorOperator<D>::gradient(const VectorField<D>& u, TensorField<D>& H) const {
+  assert(u.rows() == cols_ && H.rows() == rows_);
   const double* in = u.data();
   double* out = H.data();
-  if (!per_component()) {
-    for_rows(rows_, [=](Index s) {
-      double sum[D * D] = {};
-      for (Index k = start[s]; k < start[s + 1]; ++k) {
-        const double* w = weights + k * D;
-        const double* value = in + static_cast<Index>(column[k]) * D;
-        for (int i = 0; i < D; ++i)
-          for (int a = 0; a < D; ++a) sum[i * D + a] += w[a] * value[i];
-      }
-      for (int c = 0; c < D * D; ++c) out[s * D * D + c] = sum[c];
-    });
-  } else {
-    for_rows(rows_, [=](Index s) {
-      double sum[D * D] = {};
-      for (Index k = start[s]; k < start[s + 1]; ++k) {
-        const double* w = weights + k * D * D;
-        const double* value = in + static_cast<Index>(column[k]) * D;
-        for (int i = 0; i < D; ++i)
-          for (int a = 0; a < D; ++a) sum[i * D + a] += w[i * D + a] * value[i];
-      }
-      for (int c = 0; c < D * D; ++c) out[s * D * D + c] = sum[c];
-    });
-  }
+  if (per_component())
+    for_rows(rows_, [=, this](Index s) { gradient_of<true>(s, in, out); });
+  else
+    for_rows(rows_, [=, this](Index s) { gradient_of<false>(s, in, out); });
 }
 
 template <int D>
 void VectorOperator<D>::divergence(const TensorField<D>& P, VectorField<D>& f) const {
   assert(P.rows() == cols_ && f.rows() == rows_);
-  const Index* start = pattern_.start.data();
-  const int* column = pattern_.column.data();
-  const double* weights = weights_.data();
   const double* in = P.data();
   double* out = f.data();
-  if (!per_component()) {
-    for_rows(rows_, [=](Index q) {
-      double sum[D] = {};
-      for (Index k = start[q]; k < start[q + 1]; ++k) {
-        const double* w = weights + k * D;
-        const double* stress = in + static_cast<Index>(column[k]) * D * D;
-        for (int i = 0; i < D; ++i)
-          for (int a = 0; a < D; ++a) sum[i] += w[a] * stress[i * D + a];
-      }
-      for (int i = 0; i < D; ++i) out[q * D + i] = sum[i];
-    });
-  } else {
-    for_rows(rows_, [=](Index q) {
-      double sum[D] = {};
-      for (Index k = start[q]; k < start[q + 1]; ++k) {
-        const double* w = weights + k * D * D;
-        const double* stress = in + static_cast<Index>(column[k]) * D * D;
-        for (int i = 0; i < D; ++i)
-          for (int a = 0; a < D; ++a) sum[i] += w[i * D + a] * stress[i * D + a];
-      }
-      for (int i = 0; i < D; ++i) out[q * D + i] = sum[i];
-    });
-  }
+  if (per_component())
+    for_rows(rows_, [=, this](Index q) { divergence_of<true>(q, in, out); });
+  else
+    for_rows(rows_, [=, this](Index q) { divergence_of<false>(q, in, out); });
+}
+
+template <int D>
+void VectorOperator<D>::gradient_row(Index s, const VectorField<D>& u, TensorField<D>& H) const {
+  if (per_component())
+    gradient_of<true>(s, u.data(), H.data());
+  else
+    gradient_of<false>(s, u.data(), H.data());
+}
+
+template <int D>
+void VectorOperator<D>::divergence_row(Index q, const TensorField<D>& P, VectorField<D>& f) const {
+  if (per_component())
+    divergence_of<true>(q, P.data(), f.data());
+  else
+    divergence_of<false>(q, P.data(), f.data());
 }
 
 template <int D>
@@ -155,6 +160,14 @@ VectorOperator<D> VectorOperator<D>::row_scaled(const ScalarField& scale) const 
     for (Index k = pattern_.start[row] * stride_; k < pattern_.start[row + 1] * stride_; ++k)
       result.weights_[static_cast<std::size_t>(k)] *= scale[s];
   }
+  return result;
+}
+
+template <int D>
+VectorOperator<D> VectorOperator<D>::with_shared_rows(double tolerance) const {
+  VectorOperator result = *this;
+  write_shared(share_rows(pattern_, weights_, static_cast<int>(stride_), tolerance), pattern_,
+               result.weights_);
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include "tlsph/operators/consistency.hpp"
 #include "tlsph/operators/gradients.hpp"
 #include "tlsph/operators/local_volumes.hpp"
+#include "tlsph/operators/row_storage.hpp"
 #include "tlsph/particles/moments.hpp"
 #include "tlsph/particles/points.hpp"
 
@@ -81,6 +82,7 @@ void add_adjoint_operators(const Scene& scene, Gradients gradients, Discretisati
     disc.gradient = std::move(corrected.gradient);
     disc.consistency = corrected.residuals;
   }
+  disc.gradient = disc.gradient.with_shared_rows(shared_row_tolerance);
   disc.divergence = disc.gradient.negative_adjoint(disc.points.V);
 }
 
@@ -126,8 +128,10 @@ Discretisation<D> build(const Scene& scene, Gradients gradients) {
   disc.spacing = disc.particles.spacing;
   disc.points = scene.formulation == Formulation::stress_point ? cell_points<D>(disc.particles)
                                                                : node_points<D>(disc.particles);
+  disc.points.V = with_shared_values(std::move(disc.points.V), shared_row_tolerance);
   disc.adjoint = is_adjoint(scene.formulation);
   parts::add_materials<D>(scene, disc);
+  disc.mass = with_shared_values(std::move(disc.mass), shared_row_tolerance);
   parts::add_conditions<D>(scene, disc);
   if (disc.adjoint)
     add_adjoint_operators<D>(scene, gradients, disc);

@@ -73,8 +73,9 @@ void add_stabiliser(const Scene& scene, Discretisation<D>& disc) {
         throw InputError(stabiliser.place,
                          "kind = \"cell\" goes with formulation \"stress-point\" on the nodes of a "
                          "cell (no kernel.support); use \"pair\" or \"none\"");
-      S = normal_matrix(hourglass_rows(disc.particles, disc.gradient),
-                        strengths<2>(scene, disc, disc.points.X));
+      ScalarField modulus = strengths<2>(scene, disc, disc.points.X);
+      S = normal_matrix(hourglass_rows(disc.particles, disc.gradient), modulus);
+      if (stabiliser.action == StabiliserAction::stiffness) disc.cell_modulus = std::move(modulus);
     } else {
       throw InputError(
           stabiliser.place,

@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <omp.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "stopwatch.hpp"
+#include "tlsph/core/parallel.hpp"
 #include "tlsph/dynamics/hyperbolicity.hpp"
 #include "tlsph/observe/errors.hpp"
 #include "tlsph/scene/names.hpp"
@@ -38,12 +41,21 @@ RunLoop<D>::RunLoop(const Scene& scene, const RunOptions& options, const Discret
       probes_(disc, probe_requests<D>(scene)) {}
 
 template <int D>
+void RunLoop<D>::plan_sweep() {
+  if (!Sweep<D>::possible(disc_)) return;
+  sweep_.emplace(disc_, worth_threads(disc_.nodes()) ? omp_get_max_threads() : 1);
+  forces_ = sweep_->boundary_forces();
+  if (!probes_.columns().empty()) excerpt_.emplace(disc_, probes_.nodes(), probes_.points());
+}
+
+template <int D>
 void RunLoop<D>::run(Summary& summary) {
   const Stopwatch setup;
   InitialState<D> initial = build_initial<D>(scene_, disc_);
   state_ = make_state<D>(disc_, std::move(initial.displacement), std::move(initial.velocity));
   evaluate<D>(disc_, state_);
   choose_step(summary);
+  plan_sweep();
   books_every_ = scene_.output.energy_every > 0 ? scene_.output.energy_every
                                                 : std::max(1L, clock_.count / default_book_rows);
   if (options_.resume) {
@@ -70,8 +82,7 @@ void RunLoop<D>::run(Summary& summary) {
   };
   try {
     while (true) {
-      evaluate<D>(disc_, state_);
-      if (state_.step > 0) ledger_.arrive(disc_, state_, clock_.dt);
+      evaluate_for_observers();
       follow_deformation();
       observe();
       if (state_.step == clock_.last()) break;
@@ -100,36 +111,72 @@ void RunLoop<D>::run(Summary& summary) {
   close_books();
 }
 
+/// A sweep needs no evaluated state; observers do, all of it or the part that probes see. Without a
+/// sweep every step does.
+template <int D>
+void RunLoop<D>::evaluate_for_observers() {
+  evaluated_ = !sweep_ || books_due() || frame_due();
+  const Stopwatch watch;
+  if (evaluated_) {
+    evaluate<D>(disc_, state_);
+    if (state_.step > 0) ledger_.arrive(disc_, state_, clock_.dt);
+  } else if (probes_due()) {
+    excerpt_->evaluate(disc_, state_);
+  }
+  if (sweep_) output_seconds_ += watch.seconds();
+  if (!evaluated_ && strains_due()) disc_.gradient.gradient(state_.u, state_.H);
+}
+
 template <int D>
 void RunLoop<D>::step() {
-  ledger_.depart(disc_, state_, clock_.dt);
-  advance<D>(disc_, state_, clock_.dt, clock_.time(state_.step + 1));
+  const double next = clock_.time(state_.step + 1);
+  if (!sweep_) {
+    ledger_.depart(disc_, state_, clock_.dt);
+    advance<D>(disc_, state_, clock_.dt, next);
+    return;
+  }
+  const double time = state_.time;
+  const double way = state_.last_dt;
+  const bool arrived = evaluated_ || state_.step == 0;
+  sweep_->step(state_, clock_.dt, next, *forces_);
+  ledger_.book(disc_, *forces_, state_, time, way, clock_.dt, arrived);
+}
+
+template <int D>
+bool RunLoop<D>::books_due() const {
+  return state_.step % books_every_ == 0 || state_.step == clock_.last();
+}
+
+template <int D>
+bool RunLoop<D>::probes_due() const {
+  return output_ && !probes_.columns().empty() &&
+         (state_.step % scene_.output.probe_every == 0 || state_.step == clock_.last());
+}
+
+template <int D>
+bool RunLoop<D>::frame_due() const {
+  const long frames = scene_.output.frames;
+  if (!output_ || next_frame_ > frames) return false;
+  const double frame_time = static_cast<double>(next_frame_) * scene_.time.end /
+                            static_cast<double>(std::max(1L, frames));
+  return state_.step == clock_.last() || state_.time >= frame_time - 0.5 * clock_.dt;
 }
 
 template <int D>
 void RunLoop<D>::observe() {
-  const bool last = state_.step == clock_.last();
-  if (state_.step % books_every_ == 0 || last) {
+  if (books_due()) {
     sample_books();
     watch_hyperbolicity();
   }
   report_progress();
-  if (!output_) return;
-  const bool probes_due =
-      !probes_.columns().empty() && (state_.step % scene_.output.probe_every == 0 || last);
-  const long frames = scene_.output.frames;
-  const double frame_time = static_cast<double>(next_frame_) * scene_.time.end /
-                            static_cast<double>(std::max(1L, frames));
-  const bool frame_due =
-      next_frame_ <= frames && (last || state_.time >= frame_time - 0.5 * clock_.dt);
-  if (!probes_due && !frame_due) return;
+  if (!probes_due() && !frame_due()) return;
   const Stopwatch watch;
-  if (probes_due) output_->write_probes(disc_, state_, clock_.dt);
-  if (frame_due) {
+  if (probes_due()) output_->write_probes(disc_, state_, clock_.dt);
+  if (frame_due()) {
     output_->write_frame(disc_, state_, clock_.dt);
-    while (next_frame_ <= frames &&
+    while (next_frame_ <= scene_.output.frames &&
            state_.time >= static_cast<double>(next_frame_) * scene_.time.end /
-                                  static_cast<double>(std::max(1L, frames)) -
+                                  static_cast<double>(std::max(1, scene_.output.frames)) -
                               0.5 * clock_.dt)
       ++next_frame_;
   }

@@ -9,6 +9,8 @@
 #include "clock.hpp"
 #include "run_output.hpp"
 #include "tlsph/dynamics/critical_step.hpp"
+#include "tlsph/dynamics/excerpt.hpp"
+#include "tlsph/dynamics/sweep.hpp"
 #include "tlsph/simulation/builder.hpp"
 #include "tlsph/simulation/simulation.hpp"
 
@@ -27,13 +29,18 @@ class RunLoop {
   void run(Summary& summary);
 
  private:
-  void begin();
+  void plan_sweep();
   void resume_from(const Checkpoint& checkpoint);
   void save_checkpoint();
   void choose_step(Summary& summary);
   void adapt_step();
   void set_step(double wanted);
   void follow_deformation();
+  void evaluate_for_observers();
+  [[nodiscard]] bool books_due() const;
+  [[nodiscard]] bool frame_due() const;
+  [[nodiscard]] bool probes_due() const;
+  [[nodiscard]] bool strains_due() const;
   void observe();
   void sample_books();
   void watch_hyperbolicity();
@@ -48,6 +55,9 @@ class RunLoop {
   const Discretisation<D>& disc_;
   ExactSolution<D> exact_;
   Probes<D> probes_;
+  std::optional<Sweep<D>> sweep_;  ///< where the discretisation allows it
+  std::optional<BoundaryForces<D>> forces_;
+  std::optional<Excerpt<D>> excerpt_;  ///< what probes look at
   State<D> state_;
   Clock clock_;
   Ledger<D> ledger_;
@@ -64,6 +74,7 @@ class RunLoop {
   std::optional<HyperbolicityLoss> hyperbolicity_lost_;
   long books_every_ = 1;
   long next_frame_ = 0;
+  bool evaluated_ = false;  ///< H, P and f are those of the state, everywhere
 
   double output_seconds_ = 0.0, last_progress_ = 0.0, last_checkpoint_ = 0.0;
 };

@@ -75,9 +75,14 @@ void RunLoop<D>::set_step(double wanted) {
 }
 
 template <int D>
+bool RunLoop<D>::strains_due() const {
+  return state_.step % watch_every == 0 && state_.step != clock_.last() && state_.step != 0 &&
+         !scene_.time.step && !disc_.linear();
+}
+
+template <int D>
 void RunLoop<D>::follow_deformation() {
-  if (state_.step % watch_every != 0 || state_.step == clock_.last() || state_.step == 0) return;
-  if (scene_.time.step || disc_.linear()) return;
+  if (!strains_due()) return;
   const StrainExtremes now = strain_extremes<D>(state_.H);
   bool changed = false;
   for (std::size_t k = 0; k < now.size(); ++k)
@@ -88,6 +93,8 @@ void RunLoop<D>::follow_deformation() {
 
 template void RunLoop<1>::choose_step(Summary&);
 template void RunLoop<2>::choose_step(Summary&);
+template bool RunLoop<1>::strains_due() const;
+template bool RunLoop<2>::strains_due() const;
 template void RunLoop<1>::follow_deformation();
 template void RunLoop<2>::follow_deformation();
 

@@ -40,7 +40,9 @@ struct Discretisation {
   bool adjoint = true;                              ///< D = −Gᵀ V_s
   std::optional<ConsistencyResiduals> consistency;  ///< of a corrected gradient
   SparseMatrix stiffness;  ///< S, N×N [N/m per thickness], 0×0 if off; same for all components
-  SparseMatrix viscosity;  ///< C, N×N [kg/s], 0×0 if off
+  /// κ of each cell [Pa] where S is the cell stabiliser Aᵀ diag(κ) A; empty otherwise.
+  ScalarField cell_modulus;
+  SparseMatrix viscosity;                          ///< C, N×N [kg/s], 0×0 if off
   std::shared_ptr<const GhostGradient<D>> ghosts;  ///< replaces G in the `thesis` formulation
 
   ScalarField mass;                ///< N [kg]

@@ -12,6 +12,30 @@
 
 namespace tlsph {
 
+/// What acts at time t_n on the nodes where loads, supports and moved edges are, gathered by a
+/// sweep (dynamics/sweep.hpp) as it passes them.
+template <int D>
+struct BoundaryForces {
+  std::vector<Index> nodes;    ///< ascending
+  VectorField<D> f;            ///< of those: total force, reactions excluded [N per thickness]
+  VectorField<D> u;            ///< displacement at t_n [m]
+  VectorField<D> v;            ///< velocity at t_{n−½} [m/s]
+  double viscous_power = 0.0;  ///< Σ C v · v_{n−½} over the body [W]
+  double viscous_power_after = 0.0;              ///< Σ C v · v_{n+½}
+  Vector<D> moment_of_mass = Vector<D>::Zero();  ///< Σ m x, only with a body force in 2D [kg m]
+  /// Rows above, times d plus component, of the degrees of freedom of each load and of the
+  /// constraints, in their order.
+  std::vector<std::vector<Index>> loads;
+  std::vector<Index> fixed, held, moved;
+
+  explicit BoundaryForces(const Discretisation<D>& discretisation);
+};
+
+/// Σ m x about the origin, positions of the reference configuration for linear elasticity [kg m].
+template <int D>
+[[nodiscard]] Vector<D> moment_of_mass(const Discretisation<D>& discretisation,
+                                       const VectorField<D>& u);
+
 /// Angular momentum has one component in 2D and none in 1D.
 template <int D>
 struct Ledger {
@@ -24,6 +48,10 @@ struct Ledger {
   void arrive(const Discretisation<D>& discretisation, const State<D>& state, double dt);
   /// Books the half that belongs to the way to n+1; before `advance`.
   void depart(const Discretisation<D>& discretisation, const State<D>& state, double dt);
+  /// Books both halves of step n from what a sweep of it gathered, `after` the step to t_n + dt;
+  /// the first one only unless it has `arrived` already or there is none, at n = 0.
+  void book(const Discretisation<D>& discretisation, const BoundaryForces<D>& forces,
+            const State<D>& after, double time, double way, double dt, bool arrived);
 };
 
 /// A sample of all books at t_n. `dt` is the coming step.

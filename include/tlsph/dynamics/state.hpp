@@ -35,6 +35,10 @@ template <int D>
 template <int D>
 void evaluate(const Discretisation<D>& discretisation, State<D>& state);
 
+/// The same without a look at the result, which may hold what is not finite.
+template <int D>
+void evaluate_unchecked(const Discretisation<D>& discretisation, State<D>& state);
+
 /// v_{n+½} [m/s] of one degree of freedom if the coming step is `dt`; at a moved one, what takes it
 /// to its prescribed place at t_n + dt.
 template <int D>

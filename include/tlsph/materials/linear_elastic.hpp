@@ -46,6 +46,11 @@ class LinearElastic {
     return A == Assumption::strain ? lambda_ * H.trace() : 0.0;
   }
 
+  /// λ [Pa], reduced where the missing directions are free of stress.
+  [[nodiscard]] double lambda() const { return lambda_; }
+  /// μ [Pa].
+  [[nodiscard]] double mu() const { return mu_; }
+
  private:
   static Tensor<D> symmetric(const Tensor<D>& H) { return 0.5 * (H + H.transpose()); }
 

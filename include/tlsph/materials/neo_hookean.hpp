@@ -92,6 +92,11 @@ class NeoHookean {
     return lambda_ * log_volume(e) / (1 + e);
   }
 
+  /// λ of the three-dimensional law [Pa].
+  [[nodiscard]] double lambda() const { return lambda_; }
+  /// μ [Pa].
+  [[nodiscard]] double mu() const { return mu_; }
+
  private:
   static constexpr int free_directions = A == Assumption::stress ? 3 - D : 0;
 

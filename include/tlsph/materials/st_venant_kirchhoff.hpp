@@ -59,6 +59,11 @@ class StVenantKirchhoff {
     return lambda_ * green_lagrange<D>(H).trace() / (1 + volume_change<D>(H));
   }
 
+  /// λ [Pa], reduced where the missing directions are free of stress.
+  [[nodiscard]] double lambda() const { return lambda_; }
+  /// μ [Pa].
+  [[nodiscard]] double mu() const { return mu_; }
+
  private:
   [[nodiscard]] Tensor<D> stress(const Tensor<D>& E) const {
     return lambda_ * E.trace() * Tensor<D>::Identity() + 2 * mu_ * E;

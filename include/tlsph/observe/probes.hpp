@@ -30,8 +30,11 @@ class Probes {
 
   /// `<probe>.<quantity>_<component>` for every value, in the order of `sample`.
   [[nodiscard]] const std::vector<std::string>& columns() const { return columns_; }
+  /// Nodes and material points that `sample` looks at, each perhaps more than once.
+  [[nodiscard]] std::vector<Index> nodes() const;
+  [[nodiscard]] std::vector<Index> points() const;
   /// Values at t_n; velocities at the same time as displacements. `dt` is the coming step. `row`
-  /// has one entry a column. Needs `evaluate` before; takes nothing from the heap.
+  /// has one entry a column. Needs `evaluate` before, at least there; takes nothing from the heap.
   void sample(const Discretisation<D>& discretisation, const State<D>& state, double dt,
               std::span<double> row) const;
 

@@ -38,10 +38,16 @@ class VectorOperator {
     return weights_[static_cast<std::size_t>(k * stride_ + slot)];
   }
 
+  /// All weights, those of an entry side by side: D of them, or D² where they differ by component.
+  [[nodiscard]] std::span<const double> weights() const { return weights_; }
+
   /// H = G u; `H` is resized by the caller.
   void gradient(const VectorField<D>& u, TensorField<D>& H) const;
   /// f = D P; `f` is resized by the caller.
   void divergence(const TensorField<D>& P, VectorField<D>& f) const;
+  /// The same for one row alone.
+  void gradient_row(Index s, const VectorField<D>& u, TensorField<D>& H) const;
+  void divergence_row(Index q, const TensorField<D>& P, VectorField<D>& f) const;
 
   /// The plain sparse matrix of one direction (for one component where they differ).
   [[nodiscard]] SparseMatrix matrix(int direction, int component = 0) const;
@@ -49,10 +55,18 @@ class VectorOperator {
   [[nodiscard]] VectorOperator negative_adjoint(const ScalarField& row_volumes) const;
   /// Rows scaled: diag(s) · this.
   [[nodiscard]] VectorOperator row_scaled(const ScalarField& scale) const;
+  /// The same with rows that differ by rounding only made equal (operators/row_storage.hpp).
+  [[nodiscard]] VectorOperator with_shared_rows(double tolerance) const;
   /// Bytes of indices and weights.
   [[nodiscard]] std::size_t bytes() const;
 
  private:
+  /// A row's sum, weights shared by all components or not.
+  template <bool PerComponent>
+  void gradient_of(Index s, const double* u, double* H) const;
+  template <bool PerComponent>
+  void divergence_of(Index q, const double* P, double* f) const;
+
   Index rows_ = 0;
   Index cols_ = 0;
   Index stride_ = D;

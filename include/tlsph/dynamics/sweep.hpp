@@ -1,0 +1,64 @@
+#pragma once
+/// \file
+/// A whole step of the central difference in one pass over the body.
+///
+/// `evaluate` and `advance` (dynamics/state.hpp) say what a step is, operator by operator; every
+/// one of their products writes a field that the next one reads, and that traffic is most of their
+/// time. A sweep does the same sums block by block: the gradient of a few hundred material points,
+/// their stress at once in its place, and the nodes behind them as soon as all their points are
+/// known and nobody needs their old displacement any more. H, P and the forces never leave the
+/// cache; a step reads and writes u and v, once.
+///
+///     points  H = G u, P = ∂Ψ/∂F            in a window that moves along the body
+///     rows    r = M⁻¹ (S u + C v)           the same
+///     nodes   a = M⁻¹ D P − r + loads, v += Δt a, u += Δt v
+///
+/// Rows of G, M⁻¹D and M⁻¹S that are equal up to a shift are stored once
+/// (operators/row_storage.hpp) and run vectorised across particles. The rows of a cell stabiliser
+/// are a direction more of G and D. Threads own ranges of nodes; what they read of each other is
+/// computed before the first of them writes. Results do not depend on which steps are observed, and
+/// are the same in every run of as many threads; they differ from `evaluate` and `advance` by
+/// rounding.
+
+#include <memory>
+#include <vector>
+
+#include "tlsph/dynamics/ledger.hpp"
+#include "tlsph/dynamics/state.hpp"
+#include "tlsph/operators/row_storage.hpp"
+
+namespace tlsph {
+
+template <int D>
+class Sweep {
+ public:
+  /// True where a sweep can do what the discretisation asks for: gradients that are one matrix a
+  /// direction, for all components. The solves of `thesis`, the mirrored edges of 2D boxes and a
+  /// stiffness matrix beside a viscous one are left to `evaluate` and `advance`.
+  [[nodiscard]] static bool possible(const Discretisation<D>& discretisation);
+
+  /// Plans the passes for so many threads; `discretisation` must outlive the sweep.
+  Sweep(const Discretisation<D>& discretisation, int threads);
+  Sweep(Sweep&&) noexcept;
+  Sweep(const Sweep&) = delete;
+  Sweep& operator=(const Sweep&) = delete;
+  Sweep& operator=(Sweep&&) = delete;
+  ~Sweep();
+
+  /// One step to `next_time` = t_n + dt; u and v of the state change, H, P and f are left as they
+  /// are. Gathers what the books need on the way. Takes nothing from the heap. NumericalError as
+  /// `evaluate`, with u and v of t_n restored to rounding.
+  void step(State<D>& state, double dt, double next_time, BoundaryForces<D>& forces);
+
+  /// An empty record of the right size for `step`.
+  [[nodiscard]] BoundaryForces<D> boundary_forces() const;
+
+  /// How rows are stored, of all operators together; bytes of what a step reads beside u and v.
+  [[nodiscard]] StorageReport storage() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace tlsph

@@ -1,0 +1,65 @@
+#include "sweep_kernels.hpp"
+
+namespace tlsph::sweep {
+
+#define TLSPH_DECLARE(set)                  \
+  extern const Kernels<1> set##_kernels_1d; \
+  extern const Kernels<2> set##_kernels_2d;
+TLSPH_DECLARE(baseline)
+#ifdef TLSPH_X86
+TLSPH_DECLARE(avx2)
+TLSPH_DECLARE(avx512)
+#endif
+#undef TLSPH_DECLARE
+
+namespace {
+
+enum class Level { baseline, avx2, avx512 };
+
+Level level() {
+#ifdef TLSPH_X86
+  static const Level found = [] {
+    __builtin_cpu_init();
+    if (__builtin_cpu_supports("x86-64-v4")) return Level::avx512;
+    if (__builtin_cpu_supports("x86-64-v3")) return Level::avx2;
+    return Level::baseline;
+  }();
+  return found;
+#else
+  return Level::baseline;
+#endif
+}
+
+}  // namespace
+
+template <>
+const Kernels<1>& kernels<1>() {
+#ifdef TLSPH_X86
+  if (level() == Level::avx512) return avx512_kernels_1d;
+  if (level() == Level::avx2) return avx2_kernels_1d;
+#endif
+  return baseline_kernels_1d;
+}
+
+template <>
+const Kernels<2>& kernels<2>() {
+#ifdef TLSPH_X86
+  if (level() == Level::avx512) return avx512_kernels_2d;
+  if (level() == Level::avx2) return avx2_kernels_2d;
+#endif
+  return baseline_kernels_2d;
+}
+
+const char* instruction_set() {
+  switch (level()) {
+    case Level::avx512:
+      return "avx512";
+    case Level::avx2:
+      return "avx2";
+    case Level::baseline:
+      break;
+  }
+  return "baseline";
+}
+
+}  // namespace tlsph::sweep

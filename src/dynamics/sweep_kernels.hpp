@@ -1,0 +1,85 @@
+#pragma once
+/// \file
+/// The inner loops of a sweep (tlsph/dynamics/sweep.hpp), compiled once an instruction set and
+/// picked when the program starts. Plain arrays only: a source that is compiled for AVX-512 must
+/// not instantiate anything that the rest of the program might link to.
+///
+/// Fields of a body are interleaved as everywhere, x_q = (x_1 … x_D). What lives at material points
+/// is kept by direction, one interleaved array a derivative: H_a = ∂u/∂X_a at out[a], and P_a
+/// likewise, so that every product is a sum of shifted arrays, vectorised across rows and
+/// components alike.
+
+#include <cstddef>
+
+#include "tlsph/operators/row_run.hpp"
+
+namespace tlsph::sweep {
+
+using Index = std::ptrdiff_t;  // tlsph::Index, without its header
+
+/// The weights of an operator's rows: of its stencils, and of the rows without one (found by row).
+struct Table {
+  const int* stencil_start = nullptr;
+  const int* offset = nullptr;
+  const double* stencil_weight = nullptr;
+  const int* reach = nullptr;
+  const Index* row_start = nullptr;
+  const int* column = nullptr;
+  const double* weight = nullptr;        ///< of general rows, or
+  const float* weight_single = nullptr;  ///< these
+  const double* row_scale = nullptr;     ///< factor of a general row, where there is one
+};
+
+/// Consecutive runs, cut to the rows wanted.
+struct Runs {
+  const RowRun* run = nullptr;
+  Index count = 0;
+};
+
+/// Rows `base` … stand at the start of the arrays.
+struct Window {
+  double* const* direction = nullptr;
+  Index base = 0;
+};
+
+/// Constants of a law whose kernel is vectorised.
+struct LawConstants {
+  double lambda = 0.0;  ///< reduced where the missing directions are free of stress
+  double mu = 0.0;
+};
+
+/// H of `count` points becomes P, in place. False where det F ≤ 0 or a stress is not finite.
+using LawKernel = bool (*)(const LawConstants& constants, double* const* field, Index first,
+                           Index count);
+
+/// Overruns: kernels write up to `overrun` doubles beyond the last row of their output, which must
+/// have room for them, and read as far beyond the inputs that are windows.
+inline constexpr Index overrun = 32;
+
+template <int D>
+struct Kernels {
+  /// out_a[row] = Σ_k w^a_k u[column_k]; `size` doubles in u.
+  void (*gradient)(const Table&, Runs, const double* u, Index size, Window out);
+  /// The same with one direction more.
+  void (*gradient_and_modes)(const Table&, Runs, const double* u, Index size, Window out);
+  /// out[row] = Σ_a Σ_k w^a_k P_a[column_k].
+  void (*divergence)(const Table&, Runs, Window P, double* out, Index out_base);
+  void (*divergence_and_modes)(const Table&, Runs, Window P, double* out, Index out_base);
+  /// out[row] = Σ_k w_k (x[column_k] − x[row]).
+  void (*differences)(const Table&, Runs, const double* x, Index size, double* out, Index out_base);
+  LawKernel linear_elastic;
+  LawKernel st_venant_kirchhoff;
+  LawKernel neo_hookean;
+  /// a −= r.
+  void (*subtract)(Index size, const double* r, double* a);
+  /// v += kick a, u += dt v.
+  void (*update)(Index size, double kick, double dt, const double* a, double* v, double* u);
+};
+
+/// The kernels of the widest instruction set that this processor has.
+template <int D>
+[[nodiscard]] const Kernels<D>& kernels();
+/// Its name: "avx512", "avx2" or "baseline".
+[[nodiscard]] const char* instruction_set();
+
+}  // namespace tlsph::sweep

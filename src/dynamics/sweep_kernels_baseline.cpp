@@ -1,0 +1,11 @@
+#define TLSPH_LANES 2
+#include "sweep_kernels_body.hpp"
+
+namespace tlsph::sweep {
+
+extern const Kernels<1> baseline_kernels_1d;
+extern const Kernels<2> baseline_kernels_2d;
+const Kernels<1> baseline_kernels_1d = make_kernels<1>();
+const Kernels<2> baseline_kernels_2d = make_kernels<2>();
+
+}  // namespace tlsph::sweep

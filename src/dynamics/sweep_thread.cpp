@@ -1,0 +1,206 @@
+#include "sweep_thread.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "tlsph/materials/kinematics.hpp"
+
+namespace tlsph::sweep {
+namespace {
+
+std::size_t bytes(Index doubles) {
+  return static_cast<std::size_t>(doubles) * sizeof(double);
+}
+
+/// A law without a kernel, point by point.
+template <int D>
+bool apply_any(const AnyLaw<D>& any, double* const* field, Index first, Index count) {
+  double sum = 0.0;
+  std::visit(
+      [&](const auto& law) {
+        for (Index s = first; s < first + count; ++s) {
+          Tensor<D> H;
+          for (int i = 0; i < D; ++i)
+            for (int a = 0; a < D; ++a) H(i, a) = field[a][s * D + i];
+          const Tensor<D> P = law.pk1(H);
+          sum += P(0, 0);
+          if constexpr (!std::decay_t<decltype(law)>::small_strain)
+            if (!(volume_change<D>(H) > -1.0)) sum = std::numeric_limits<double>::quiet_NaN();
+          for (int i = 0; i < D; ++i)
+            for (int a = 0; a < D; ++a) field[a][s * D + i] = P(i, a);
+        }
+      },
+      any);
+  return std::isfinite(sum);
+}
+
+}  // namespace
+
+template <int D>
+void Thread<D>::Store::allocate(int directions, Index rows, Index first) {
+  base = first;
+  for (int a = 0; a < directions; ++a) {
+    auto& values = field[static_cast<std::size_t>(a)];
+    values.assign(static_cast<std::size_t>(rows * D + overrun), 0.0);
+    direction[static_cast<std::size_t>(a)] = values.data();
+  }
+}
+
+template <int D>
+void Thread<D>::Store::shift(int directions, Index first, Index last) {
+  for (int a = 0; a < directions; ++a) {
+    double* values = direction[static_cast<std::size_t>(a)];
+    std::memmove(values, values + (first - base) * D, bytes((last - first) * D));
+  }
+  base = first;
+}
+
+template <int D>
+void Thread<D>::Store::copy_from(const Store& other, int directions, Index first, Index last) {
+  for (int a = 0; a < directions; ++a)
+    std::memcpy(direction[static_cast<std::size_t>(a)] + (first - base) * D,
+                other.direction[static_cast<std::size_t>(a)] + (first - other.base) * D,
+                bytes((last - first) * D));
+}
+
+template <int D>
+Thread<D>::Thread(const Shared<D>& shared, ThreadPlan plan)
+    : shared_(shared), plan_(std::move(plan)), size_(shared.disc->nodes() * D) {
+  points_.allocate(directions(), plan_.points_window, plan_.points_first);
+  points_kept_.allocate(directions(), plan_.points_kept_count, plan_.points_kept);
+  if (shared_.has_rows) {
+    rows_.allocate(1, plan_.rows_window, plan_.first_node);
+    rows_kept_.allocate(1, plan_.rows_kept_count, plan_.rows_kept);
+  }
+  acceleration_.assign(static_cast<std::size_t>(block_rows * D + overrun), 0.0);
+}
+
+template <int D>
+bool Thread<D>::before(const StepData<D>& step) {
+  points_.base = plan_.points_first;
+  rows_.base = plan_.first_node;
+  reached_ = plan_.first_node;
+  viscous_power = viscous_power_after = 0.0;
+  return run(plan_.before, step);
+}
+
+template <int D>
+bool Thread<D>::after(const StepData<D>& step) {
+  return run(plan_.after, step);
+}
+
+template <int D>
+bool Thread<D>::run(const std::vector<Task>& tasks, const StepData<D>& step) {
+  for (const Task& task : tasks) switch (task.kind) {
+      case Task::Kind::points:
+        if (!points(task, points_, step)) return false;
+        break;
+      case Task::Kind::points_kept:
+        if (!points(task, points_kept_, step)) return false;
+        break;
+      case Task::Kind::points_copy:
+        points_.copy_from(points_kept_, directions(), task.first, task.last);
+        break;
+      case Task::Kind::points_shift:
+        points_.shift(directions(), task.first, task.last);
+        break;
+      case Task::Kind::rows:
+        rows(task, rows_, step);
+        break;
+      case Task::Kind::rows_kept:
+        rows(task, rows_kept_, step);
+        break;
+      case Task::Kind::rows_copy:
+        rows_.copy_from(rows_kept_, 1, task.first, task.last);
+        break;
+      case Task::Kind::rows_shift:
+        rows_.shift(1, task.first, task.last);
+        break;
+      case Task::Kind::nodes:
+        nodes(task, step);
+        break;
+    }
+  return true;
+}
+
+template <int D>
+bool Thread<D>::points(const Task& task, Store& store, const StepData<D>& step) {
+  const auto gradient =
+      shared_.modes ? shared_.kernels->gradient_and_modes : shared_.kernels->gradient;
+  gradient(shared_.gradient, runs(plan_.gradient, task), step.u, size_, store.window());
+  bool good = true;
+  for (Index k = task.item; k < task.item + task.items; ++k) {
+    const LawSegment& segment = plan_.laws[static_cast<std::size_t>(k)];
+    const RegionLaw<D>& law = shared_.laws[segment.region];
+    const Index first = segment.first - store.base;
+    good = (law.kernel != nullptr
+                ? law.kernel(law.constants, store.direction.data(), first, segment.count)
+                : apply_any<D>(*law.any, store.direction.data(), first, segment.count)) &&
+           good;
+  }
+  return good;
+}
+
+template <int D>
+void Thread<D>::rows(const Task& task, Store& store, const StepData<D>& step) {
+  shared_.kernels->differences(shared_.rows, runs(plan_.rows, task),
+                               shared_.viscous ? step.v : step.u, size_, store.direction[0],
+                               store.base);
+}
+
+template <int D>
+void Thread<D>::nodes(const Task& task, const StepData<D>& step) {
+  const Discretisation<D>& disc = *shared_.disc;
+  const Kernels<D>& kernels = *shared_.kernels;
+  double* a = acceleration_.data();
+  const Index length = (task.last - task.first) * D;
+  double* u = step.u + task.first * D;
+  double* v = step.v + task.first * D;
+  (shared_.modes ? kernels.divergence_and_modes : kernels.divergence)(
+      shared_.divergence, runs(plan_.divergence, task), points_.window(), a, task.first);
+  const double* row = nullptr;
+  if (shared_.has_rows) {
+    row = rows_.direction[0] + (task.first - rows_.base) * D;
+    kernels.subtract(length, row, a);
+  }
+  for (Index k = task.load; k < task.load + task.loads; ++k) {
+    const NodeLoad& load = plan_.loads[static_cast<std::size_t>(k)];
+    a[load.dof - task.first * D] += (*step.pressures)[load.load] * load.weight;
+  }
+  if (disc.has_body_force())
+    for (Index k = 0; k < length; ++k) a[k] += disc.body_force[k % D];
+  const auto power = [&] {
+    double sum = 0.0;
+    for (Index k = 0; k < length; ++k) sum += disc.mass[task.first + k / D] * row[k] * v[k];
+    return sum;
+  };
+  if (shared_.viscous) viscous_power += power();
+
+  BoundaryForces<D>& forces = *step.forces;
+  for (Index k = task.item; k < task.item + task.items; ++k) {
+    const Index node = forces.nodes[static_cast<std::size_t>(k)];
+    for (int i = 0; i < D; ++i) {
+      const Index local = (node - task.first) * D + i;
+      forces.f(k, i) = disc.mass[node] * a[local];
+      forces.u(k, i) = u[local];
+      forces.v(k, i) = v[local];
+      if (shared_.constrained[static_cast<std::size_t>(k * D + i)]) a[local] = 0.0;
+    }
+  }
+  kernels.update(length, step.kick, step.dt, a, v, u);
+  // A degree of freedom that is moved waits for its curve.
+  for (Index k = task.item; k < task.item + task.items; ++k) {
+    const Index node = forces.nodes[static_cast<std::size_t>(k)];
+    for (int i = 0; i < D; ++i)
+      if (shared_.constrained[static_cast<std::size_t>(k * D + i)])
+        u[(node - task.first) * D + i] = forces.u(k, i);
+  }
+  if (shared_.viscous) viscous_power_after += power();
+  reached_ = task.last;
+}
+
+template class Thread<1>;
+template class Thread<2>;
+
+}  // namespace tlsph::sweep

@@ -1,0 +1,92 @@
+#pragma once
+/// \file
+/// A thread's part of a sweep: its plan, its windows, and the loop over its tasks. Not for other
+/// rooms.
+
+#include <array>
+#include <vector>
+
+#include "sweep_kernels.hpp"
+#include "sweep_plan.hpp"
+#include "tlsph/dynamics/ledger.hpp"
+#include "tlsph/dynamics/state.hpp"
+
+namespace tlsph::sweep {
+
+/// The law of a region as a sweep applies it: a vectorised kernel, or point by point.
+template <int D>
+struct RegionLaw {
+  LawKernel kernel = nullptr;
+  LawConstants constants;
+  const AnyLaw<D>* any = nullptr;  ///< where there is no kernel
+};
+
+/// What all threads share, constant in time.
+template <int D>
+struct Shared {
+  const Discretisation<D>* disc = nullptr;
+  const Kernels<D>* kernels = nullptr;
+  Table gradient, divergence, rows;
+  bool modes = false;    ///< one direction more: the rows of the cell stabiliser
+  bool viscous = false;  ///< `rows` act on velocities
+  bool has_rows = false;
+  std::vector<RegionLaw<D>> laws;
+  std::vector<char> constrained;  ///< by booked node and component
+  std::vector<double> pressures;  ///< of the loads, at t_n
+};
+
+/// What differs from step to step.
+template <int D>
+struct StepData {
+  double* u = nullptr;
+  double* v = nullptr;
+  double kick = 0.0, dt = 0.0;
+  const std::vector<double>* pressures = nullptr;
+  BoundaryForces<D>* forces = nullptr;
+};
+
+template <int D>
+class Thread {
+ public:
+  Thread(const Shared<D>& shared, ThreadPlan plan);
+
+  /// Everything that reads nodes of other threads; false where a state has no stress.
+  [[nodiscard]] bool before(const StepData<D>& step);
+  /// The rest; nodes up to `reached` are at the new time when it fails.
+  [[nodiscard]] bool after(const StepData<D>& step);
+
+  [[nodiscard]] Index first() const { return plan_.first_node; }
+  [[nodiscard]] Index reached() const { return reached_; }
+  double viscous_power = 0.0, viscous_power_after = 0.0;
+
+ private:
+  static constexpr int most_directions = D + 1;
+  /// A window on fields by direction.
+  struct Store {
+    std::array<std::vector<double>, most_directions> field;
+    std::array<double*, most_directions> direction{};
+    Index base = 0;
+    void allocate(int directions, Index rows, Index first);
+    [[nodiscard]] Window window() { return {direction.data(), base}; }
+    void shift(int directions, Index first, Index last);
+    void copy_from(const Store& other, int directions, Index first, Index last);
+  };
+
+  [[nodiscard]] bool run(const std::vector<Task>& tasks, const StepData<D>& step);
+  [[nodiscard]] bool points(const Task& task, Store& store, const StepData<D>& step);
+  void rows(const Task& task, Store& store, const StepData<D>& step);
+  void nodes(const Task& task, const StepData<D>& step);
+  [[nodiscard]] Runs runs(const std::vector<RowRun>& list, const Task& task) const {
+    return {list.data() + task.run, task.runs};
+  }
+  [[nodiscard]] int directions() const { return shared_.modes ? D + 1 : D; }
+
+  const Shared<D>& shared_;
+  ThreadPlan plan_;
+  Index size_;  // doubles in u
+  Store points_, points_kept_, rows_, rows_kept_;
+  std::vector<double> acceleration_;
+  Index reached_ = 0;
+};
+
+}  // namespace tlsph::sweep
