@@ -3,6 +3,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <chrono>
 #include <map>
 #include <optional>
 #include <type_traits>
@@ -64,6 +65,30 @@ void set_general(Table& table, const Neighbours& pattern, const double* weights)
   table.row_start = pattern.start.data();
   table.column = pattern.column.data();
   table.weight = weights;
+}
+
+sweep::Level level_of(Instructions instructions) {
+  switch (instructions) {
+    case Instructions::baseline:
+      return sweep::Level::baseline;
+    case Instructions::avx2:
+      return sweep::Level::avx2;
+    case Instructions::avx512:
+      return sweep::Level::avx512;
+    case Instructions::widest:
+      break;
+  }
+  return sweep::widest_level();
+}
+
+/// The weights of an operator with rows that have no stencil; empty if there are none.
+std::vector<float> singles(const RowStorage& rows, std::span<const double> weights) {
+  const bool general =
+      std::ranges::any_of(rows.runs, [](const RowRun& run) { return run.stencil == no_stencil; });
+  if (!general) return {};
+  std::vector<float> result(weights.size());
+  std::ranges::transform(weights, result.begin(), [](double w) { return static_cast<float>(w); });
+  return result;
 }
 
 /// First and last column of every row, −1 for rows without any.
@@ -144,6 +169,7 @@ struct Sweep<D>::Parts {
   sweep::Shared<D> shared;
   RowStorage gradient, divergence, rows;
   std::vector<double> gradient_weights, divergence_weights;  // where modes are a direction of them
+  std::vector<float> gradient_single, divergence_single;
   Neighbours rows_pattern;
   ScalarField inverse_mass;  // of general rows; empty if there are none
   std::vector<std::unique_ptr<sweep::Thread<D>>> thread;
@@ -151,18 +177,19 @@ struct Sweep<D>::Parts {
   std::vector<double> curve_values;
   StorageReport storage;
 
-  Parts(const Discretisation<D>& discretisation, int count) : disc(discretisation), threads(count) {
+  Parts(const Discretisation<D>& discretisation, const SweepOptions& options)
+      : disc(discretisation), threads(std::max(1, options.threads)) {
     shared.disc = &disc;
-    shared.kernels = &sweep::kernels<D>();
+    shared.kernels = &sweep::kernels<D>(level_of(options.instructions));
     for (const Region<D>& region : disc.regions)
       shared.laws.push_back(law_of<D>(region.law, *shared.kernels));
     shared.pressures.assign(disc.loads.size(), 0.0);
     curve_values.assign(disc.constraints.curves.size(), 0.0);
-    store_operators();
+    store_operators(options.single_weights);
     plan();
   }
 
-  void store_operators() {
+  void store_operators(bool single) {
     inverse_mass = disc.mass.cwiseInverse();
     const Neighbours& gradient_pattern = disc.gradient.pattern();
     const Neighbours& divergence_pattern = disc.divergence.pattern();
@@ -179,6 +206,12 @@ struct Sweep<D>::Parts {
     set_general(shared.gradient, gradient_pattern, g.data());
     set_general(shared.divergence, divergence_pattern, d.data());
     shared.divergence.row_scale = inverse_mass.data();
+    if (single) {
+      gradient_single = singles(gradient, g);
+      divergence_single = singles(divergence, d);
+      shared.gradient.weight_single = gradient_single.data();
+      shared.divergence.weight_single = divergence_single.data();
+    }
     storage = report(gradient, gradient_pattern);
     add(report(divergence, divergence_pattern));
     const SparseMatrix* matrix = nullptr;
@@ -271,6 +304,19 @@ struct Sweep<D>::Parts {
                                    threads == 1)));
     }
     good.assign(static_cast<std::size_t>(threads), 1);
+    for (std::size_t t = 0; t < thread.size(); ++t)
+      thread[t]->observe_points(
+          t == 0 ? 0 : thread[t]->first_point(),
+          t + 1 == thread.size() ? disc.points.size() : thread[t + 1]->first_point());
+  }
+
+  [[nodiscard]] bool all_good() const {
+    return std::ranges::all_of(good, [](char is) { return is != 0; });
+  }
+
+  void evaluate_loads(double time) {
+    for (std::size_t l = 0; l < disc.loads.size(); ++l)
+      shared.pressures[l] = value(disc.loads[l].curve, time);
   }
 
   void pass(const sweep::StepData<D>& step) {
@@ -296,7 +342,7 @@ struct Sweep<D>::Parts {
     for (const auto& part : thread)
       for (Index dof = part->first() * D; dof < part->reached() * D; ++dof)
         state.v.data()[dof] -= kick * disc.inverse_mass.data()[dof] * state.f.data()[dof];
-    evaluate<D>(disc, state);
+    tlsph::evaluate<D>(disc, state);
   }
 
   void move(State<D>& state, double dt, const BoundaryForces<D>& forces) {
@@ -320,9 +366,34 @@ bool Sweep<D>::possible(const Discretisation<D>& disc) {
          !disc.divergence.per_component() && !rows_of_both;
 }
 
+bool available(Instructions instructions) {
+  return instructions == Instructions::widest || level_of(instructions) <= sweep::widest_level();
+}
+
+double peak_multiply_adds(Index rounds) {
+  using Clock = std::chrono::steady_clock;
+  double sum = 0.0;
+  const auto start = Clock::now();
+  const Index done = sweep::kernels<1>(sweep::widest_level()).multiply_adds(rounds, sum);
+  const std::chrono::duration<double> seconds = Clock::now() - start;
+  return sum > 0.0 ? static_cast<double>(done) / seconds.count() : 0.0;
+}
+
+std::string widest_instructions() {
+  switch (sweep::widest_level()) {
+    case sweep::Level::avx512:
+      return "avx512";
+    case sweep::Level::avx2:
+      return "avx2";
+    case sweep::Level::baseline:
+      break;
+  }
+  return "baseline";
+}
+
 template <int D>
-Sweep<D>::Sweep(const Discretisation<D>& disc, int threads)
-    : parts_(std::make_unique<Parts>(disc, std::max(1, threads))) {}
+Sweep<D>::Sweep(const Discretisation<D>& disc, const SweepOptions& options)
+    : parts_(std::make_unique<Parts>(disc, options)) {}
 
 template <int D>
 Sweep<D>::Sweep(Sweep&&) noexcept = default;
@@ -344,16 +415,14 @@ template <int D>
 void Sweep<D>::step(State<D>& state, double dt, double next_time, BoundaryForces<D>& forces) {
   Parts& parts = *parts_;
   const Discretisation<D>& disc = parts.disc;
-  for (std::size_t l = 0; l < disc.loads.size(); ++l)
-    parts.shared.pressures[l] = value(disc.loads[l].curve, state.time);
+  parts.evaluate_loads(state.time);
   if constexpr (D > 1)
     if (disc.has_body_force()) forces.moment_of_mass = moment_of_mass<D>(disc, state.u);
   const double kick = 0.5 * (state.last_dt + dt);
   const sweep::StepData<D> step{state.u.data(),          state.v.data(), kick, dt,
                                 &parts.shared.pressures, &forces};
   parts.pass(step);
-  if (std::ranges::any_of(parts.good, [](char good) { return good == 0; }))
-    parts.fail(state, kick, dt);
+  if (!parts.all_good()) parts.fail(state, kick, dt);
   forces.viscous_power = 0.0;
   forces.viscous_power_after = 0.0;
   for (const auto& part : parts.thread) {
@@ -364,6 +433,19 @@ void Sweep<D>::step(State<D>& state, double dt, double next_time, BoundaryForces
   state.time = next_time;
   state.last_dt = dt;
   parts.move(state, dt, forces);
+}
+
+template <int D>
+void Sweep<D>::evaluate(State<D>& state) {
+  Parts& parts = *parts_;
+  parts.evaluate_loads(state.time);
+  sweep::StepData<D> step;
+  step.u = state.u.data();
+  step.v = state.v.data();
+  step.pressures = &parts.shared.pressures;
+  step.observed = &state;
+  parts.pass(step);
+  if (!parts.all_good()) tlsph::evaluate<D>(parts.disc, state);  // says where
 }
 
 template class Sweep<1>;

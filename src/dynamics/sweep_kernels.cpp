@@ -12,54 +12,31 @@ TLSPH_DECLARE(avx512)
 #endif
 #undef TLSPH_DECLARE
 
-namespace {
-
-enum class Level { baseline, avx2, avx512 };
-
-Level level() {
+Level widest_level() {
 #ifdef TLSPH_X86
-  static const Level found = [] {
-    __builtin_cpu_init();
-    if (__builtin_cpu_supports("x86-64-v4")) return Level::avx512;
-    if (__builtin_cpu_supports("x86-64-v3")) return Level::avx2;
-    return Level::baseline;
-  }();
-  return found;
-#else
-  return Level::baseline;
+  __builtin_cpu_init();
+  if (__builtin_cpu_supports("x86-64-v4")) return Level::avx512;
+  if (__builtin_cpu_supports("x86-64-v3")) return Level::avx2;
 #endif
+  return Level::baseline;
 }
 
-}  // namespace
-
 template <>
-const Kernels<1>& kernels<1>() {
+const Kernels<1>& kernels<1>([[maybe_unused]] Level level) {
 #ifdef TLSPH_X86
-  if (level() == Level::avx512) return avx512_kernels_1d;
-  if (level() == Level::avx2) return avx2_kernels_1d;
+  if (level == Level::avx512) return avx512_kernels_1d;
+  if (level == Level::avx2) return avx2_kernels_1d;
 #endif
   return baseline_kernels_1d;
 }
 
 template <>
-const Kernels<2>& kernels<2>() {
+const Kernels<2>& kernels<2>([[maybe_unused]] Level level) {
 #ifdef TLSPH_X86
-  if (level() == Level::avx512) return avx512_kernels_2d;
-  if (level() == Level::avx2) return avx2_kernels_2d;
+  if (level == Level::avx512) return avx512_kernels_2d;
+  if (level == Level::avx2) return avx2_kernels_2d;
 #endif
   return baseline_kernels_2d;
-}
-
-const char* instruction_set() {
-  switch (level()) {
-    case Level::avx512:
-      return "avx512";
-    case Level::avx2:
-      return "avx2";
-    case Level::baseline:
-      break;
-  }
-  return "baseline";
 }
 
 }  // namespace tlsph::sweep

@@ -70,16 +70,20 @@ struct Kernels {
   LawKernel linear_elastic;
   LawKernel st_venant_kirchhoff;
   LawKernel neo_hookean;
+  /// `count` rounds of independent fused multiply-adds on registers; their number, and a sum so
+  /// that nobody leaves them out.
+  Index (*multiply_adds)(Index count, double& sum);
   /// a −= r.
   void (*subtract)(Index size, const double* r, double* a);
   /// v += kick a, u += dt v.
   void (*update)(Index size, double kick, double dt, const double* a, double* v, double* u);
 };
 
-/// The kernels of the widest instruction set that this processor has.
+/// Sets of instructions the kernels are compiled for.
+enum class Level { baseline, avx2, avx512 };
+/// The widest that this processor has.
+[[nodiscard]] Level widest_level();
 template <int D>
-[[nodiscard]] const Kernels<D>& kernels();
-/// Its name: "avx512", "avx2" or "baseline".
-[[nodiscard]] const char* instruction_set();
+[[nodiscard]] const Kernels<D>& kernels(Level level);
 
 }  // namespace tlsph::sweep

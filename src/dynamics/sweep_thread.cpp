@@ -129,6 +129,7 @@ bool Thread<D>::points(const Task& task, Store& store, const StepData<D>& step) 
   const auto gradient =
       shared_.modes ? shared_.kernels->gradient_and_modes : shared_.kernels->gradient;
   gradient(shared_.gradient, runs(plan_.gradient, task), step.u, size_, store.window());
+  if (step.observed != nullptr) write_points(task, store, step.observed->H);
   bool good = true;
   for (Index k = task.item; k < task.item + task.items; ++k) {
     const LawSegment& segment = plan_.laws[static_cast<std::size_t>(k)];
@@ -139,7 +140,19 @@ bool Thread<D>::points(const Task& task, Store& store, const StepData<D>& step) 
                 : apply_any<D>(*law.any, store.direction.data(), first, segment.count)) &&
            good;
   }
+  if (step.observed != nullptr) write_points(task, store, step.observed->P);
   return good;
+}
+
+template <int D>
+void Thread<D>::write_points(const Task& task, const Store& store, TensorField<D>& field) const {
+  const Index first = std::max(task.first, observed_first_);
+  const Index last = std::min(task.last, observed_last_);
+  for (Index s = first; s < last; ++s)
+    for (int i = 0; i < D; ++i)
+      for (int a = 0; a < D; ++a)
+        field.data()[s * D * D + i * D + a] =
+            store.direction[static_cast<std::size_t>(a)][(s - store.base) * D + i];
 }
 
 template <int D>
@@ -155,8 +168,6 @@ void Thread<D>::nodes(const Task& task, const StepData<D>& step) {
   const Kernels<D>& kernels = *shared_.kernels;
   double* a = acceleration_.data();
   const Index length = (task.last - task.first) * D;
-  double* u = step.u + task.first * D;
-  double* v = step.v + task.first * D;
   (shared_.modes ? kernels.divergence_and_modes : kernels.divergence)(
       shared_.divergence, runs(plan_.divergence, task), points_.window(), a, task.first);
   const double* row = nullptr;
@@ -170,7 +181,24 @@ void Thread<D>::nodes(const Task& task, const StepData<D>& step) {
   }
   if (disc.has_body_force())
     for (Index k = 0; k < length; ++k) a[k] += disc.body_force[k % D];
+  if (step.observed == nullptr) return move(task, step);
+  for (Index k = 0; k < length; ++k)
+    step.observed->f.data()[task.first * D + k] = disc.mass[task.first + k / D] * a[k];
+  if (shared_.viscous)
+    for (Index k = 0; k < length; ++k)
+      step.observed->viscous.data()[task.first * D + k] = disc.mass[task.first + k / D] * row[k];
+}
+
+/// From the accelerations of a block to its new velocities and places.
+template <int D>
+void Thread<D>::move(const Task& task, const StepData<D>& step) {
+  const Discretisation<D>& disc = *shared_.disc;
+  double* a = acceleration_.data();
+  double* u = step.u + task.first * D;
+  double* v = step.v + task.first * D;
+  const Index length = (task.last - task.first) * D;
   const auto power = [&] {
+    const double* row = rows_.direction[0] + (task.first - rows_.base) * D;
     double sum = 0.0;
     for (Index k = 0; k < length; ++k) sum += disc.mass[task.first + k / D] * row[k] * v[k];
     return sum;
@@ -178,6 +206,9 @@ void Thread<D>::nodes(const Task& task, const StepData<D>& step) {
   if (shared_.viscous) viscous_power += power();
 
   BoundaryForces<D>& forces = *step.forces;
+  const auto constrained = [&](Index k, int i) {
+    return shared_.constrained[static_cast<std::size_t>(k * D + i)] != 0;
+  };
   for (Index k = task.item; k < task.item + task.items; ++k) {
     const Index node = forces.nodes[static_cast<std::size_t>(k)];
     for (int i = 0; i < D; ++i) {
@@ -185,16 +216,15 @@ void Thread<D>::nodes(const Task& task, const StepData<D>& step) {
       forces.f(k, i) = disc.mass[node] * a[local];
       forces.u(k, i) = u[local];
       forces.v(k, i) = v[local];
-      if (shared_.constrained[static_cast<std::size_t>(k * D + i)]) a[local] = 0.0;
+      if (constrained(k, i)) a[local] = 0.0;
     }
   }
-  kernels.update(length, step.kick, step.dt, a, v, u);
+  shared_.kernels->update(length, step.kick, step.dt, a, v, u);
   // A degree of freedom that is moved waits for its curve.
   for (Index k = task.item; k < task.item + task.items; ++k) {
     const Index node = forces.nodes[static_cast<std::size_t>(k)];
     for (int i = 0; i < D; ++i)
-      if (shared_.constrained[static_cast<std::size_t>(k * D + i)])
-        u[(node - task.first) * D + i] = forces.u(k, i);
+      if (constrained(k, i)) u[(node - task.first) * D + i] = forces.u(k, i);
   }
   if (shared_.viscous) viscous_power_after += power();
   reached_ = task.last;

@@ -42,7 +42,8 @@ struct StepData {
   double* v = nullptr;
   double kick = 0.0, dt = 0.0;
   const std::vector<double>* pressures = nullptr;
-  BoundaryForces<D>* forces = nullptr;
+  BoundaryForces<D>* forces = nullptr;  ///< of a step, or
+  State<D>* observed = nullptr;         ///< where H, P and f go instead of making one
 };
 
 template <int D>
@@ -55,6 +56,12 @@ class Thread {
   /// The rest; nodes up to `reached` are at the new time when it fails.
   [[nodiscard]] bool after(const StepData<D>& step);
 
+  /// Points whose H and P this thread writes down when they are observed.
+  void observe_points(Index first, Index last) {
+    observed_first_ = first;
+    observed_last_ = last;
+  }
+  [[nodiscard]] Index first_point() const { return plan_.points_first; }
   [[nodiscard]] Index first() const { return plan_.first_node; }
   [[nodiscard]] Index reached() const { return reached_; }
   double viscous_power = 0.0, viscous_power_after = 0.0;
@@ -76,6 +83,8 @@ class Thread {
   [[nodiscard]] bool points(const Task& task, Store& store, const StepData<D>& step);
   void rows(const Task& task, Store& store, const StepData<D>& step);
   void nodes(const Task& task, const StepData<D>& step);
+  void move(const Task& task, const StepData<D>& step);
+  void write_points(const Task& task, const Store& store, TensorField<D>& field) const;
   [[nodiscard]] Runs runs(const std::vector<RowRun>& list, const Task& task) const {
     return {list.data() + task.run, task.runs};
   }
@@ -87,6 +96,7 @@ class Thread {
   Store points_, points_kept_, rows_, rows_kept_;
   std::vector<double> acceleration_;
   Index reached_ = 0;
+  Index observed_first_ = 0, observed_last_ = 0;
 };
 
 }  // namespace tlsph::sweep

@@ -95,6 +95,17 @@ void add_validate(CLI::App& app, CommandLine& line) {
   command->callback([&line] { line.command = Command::validate; });
 }
 
+void add_benchmark(CLI::App& app, CommandLine& line) {
+  auto* command = app.add_subcommand(
+      "benchmark", "time a step in every kind of storage, beside what this machine could do");
+  command->add_option("--particles", line.particles, "of the large bodies; default: 500000")
+      ->type_name("N")
+      ->check(CLI::Range(1e3, 1e8));
+  add_out(*command, line, "; default: out/benchmark");
+  add_quiet(*command, line);
+  command->callback([&line] { line.command = Command::benchmark; });
+}
+
 }  // namespace
 
 std::optional<CommandLine> parse_command_line(int argc, const char* const* argv) {
@@ -108,6 +119,7 @@ std::optional<CommandLine> parse_command_line(int argc, const char* const* argv)
   add_export(app, line);
   add_converge(app, line);
   add_validate(app, line);
+  add_benchmark(app, line);
   app.add_subcommand("scene-reference", "every key of a scene: type, unit, default, range")
       ->callback([&line] { line.command = Command::scene_reference; });
   try {

@@ -15,6 +15,7 @@
 #include "tlsph/core/error.hpp"
 #include "tlsph/scene/reader.hpp"
 #include "tlsph/simulation/simulation.hpp"
+#include "tlsph/studies/benchmark.hpp"
 #include "tlsph/studies/converge.hpp"
 #include "tlsph/studies/figure.hpp"
 #include "tlsph/studies/validation.hpp"
@@ -129,6 +130,23 @@ ExitCode validate_cases(const CommandLine& line) {
   return table.holds() ? ExitCode::done : ExitCode::verdict_failed;
 }
 
+ExitCode benchmark_steps(const CommandLine& line) {
+  const std::filesystem::path out = line.out.empty() ? "out/benchmark" : line.out;
+  BenchmarkOptions options;
+  options.out = out;
+  if (line.particles > 0.0) options.particles = static_cast<Index>(line.particles);
+  options.stop_requested = catch_interrupts();
+  if (!line.quiet)
+    options.before_case = [&](const std::string& name) { print(fmt::format("{}\n", name)); };
+
+  const BenchmarkTable table = benchmark(options);
+
+  if (!line.quiet)
+    print(fmt::format("\n{}\nresults in {}/benchmark.csv and benchmark.json\n", table.text(),
+                      out.string()));
+  return table.interrupted ? interruption() : ExitCode::done;
+}
+
 ExitCode print_reference() {
   print(scene_reference());
   return ExitCode::done;
@@ -148,6 +166,8 @@ ExitCode execute(const CommandLine& line) {
       return converge_scene(line);
     case Command::validate:
       return validate_cases(line);
+    case Command::benchmark:
+      return benchmark_steps(line);
     case Command::scene_reference:
       return print_reference();
   }

@@ -170,6 +170,7 @@ Scene build(const TableView& root) {
   scene.formulation_place = root.place_of("formulation");
   scene.ghosts = root.choice<GhostTreatment>("boundary_treatment");
   scene.boundary_solver = root.choice<BoundarySolver>("boundary_solver");
+  scene.precision = root.choice<Precision>("precision");
   scene.boundary_solver_place = root.place_of("boundary_solver");
   for (const char* name : {"body", "material", "time"}) root.require(name);
   scene.body = read_body(root.table("body"), scene.dimension, scene.formulation);

@@ -37,6 +37,9 @@ std::vector<Key> all_keys() {
        "it, or the eta corrections (1D)"},
       {"", "boundary_solver", text, "", "", "\"auto\"", choices<BoundarySolver>(),
        "thesis only: factorisation of the modified SPH matrix; auto tries cholmod, then umfpack"},
+      {"", "precision", text, "", "", "\"double\"", choices<Precision>(),
+       "mixed: weights in single precision where particles are irregular, sums in double; faster "
+       "there, momenta kept to 1e-7; lattices are not touched, nor thesis and mirror"},
       {"", "consistency", flag | numbers, "", "", "(consistent: [2, 1], in 1D [1, 1]; else false)",
        "",
        "degrees of the polynomials that the gradient and its adjoint are made exact for, [1, 0], "
@@ -207,7 +210,7 @@ std::vector<Key> all_keys() {
        choices<Quantity>(), "what a frame holds"},
       {"output", "probe_every", integer, "", "steps", "1", ">= 1", "between rows of probes.csv"},
       {"output", "energy_every", integer, "", "steps", "0", ">= 0",
-       "between rows of the energy ledger; 0: about 200 rows"},
+       "between rows of the energy ledger; 0: about 200 rows, at least 50 steps apart"},
       {"output", "checkpoint", number, "", "s", "60", "> 0", "wall time between checkpoints"},
       {"output", "checkpoint_steps", integer, "", "steps", "0", ">= 0",
        "steps between checkpoints; 0: by wall time only"},

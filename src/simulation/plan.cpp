@@ -6,6 +6,7 @@
 #include "tlsph/dynamics/critical_step.hpp"
 #include "tlsph/linear/factor_cost.hpp"
 #include "tlsph/operators/consistency.hpp"
+#include "tlsph/dynamics/sweep.hpp"
 #include "tlsph/scene/names.hpp"
 #include "tlsph/simulation/builder.hpp"
 #include "tlsph/simulation/simulation.hpp"
@@ -110,6 +111,13 @@ std::string plan_in(const Scene& scene) {
     const SparseMatrix& W = disc.ghosts->kernel_matrix();
     text += operator_line("W", W.rows(), W.cols(), W.nonZeros(), "kernel, with ghosts");
     for (const std::string& line : disc.ghosts->report()) text += "  " + line + "\n";
+  }
+  if (Sweep<D>::possible(disc)) {
+    const StorageReport storage = Sweep<D>(disc).storage();
+    text += fmt::format(
+        "storage: {} rows in {} stencils, {} rows of their own, {:.1f} bytes a particle and step\n",
+        storage.stencil_rows, storage.distinct_stencils, storage.general_rows,
+        storage.bytes / static_cast<double>(disc.nodes()));
   }
   text += fmt::format("boundary: {} components held, {} moved, {} loads\n",
                       disc.constraints.fixed.size() + disc.constraints.held.size(),

@@ -16,8 +16,10 @@
 namespace tlsph {
 namespace {
 
-/// Rows of the energy ledger a run has by default.
+/// Rows of the energy ledger a run has by default, and the steps between them at least: a look at
+/// all energies costs as much as some twenty steps.
 constexpr long default_book_rows = 200;
+constexpr long fewest_steps_between = 50;
 
 template <int D>
 std::vector<ProbeRequest<D>> probe_requests(const Scene& scene) {
@@ -41,9 +43,13 @@ RunLoop<D>::RunLoop(const Scene& scene, const RunOptions& options, const Discret
       probes_(disc, probe_requests<D>(scene)) {}
 
 template <int D>
-void RunLoop<D>::plan_sweep() {
+void RunLoop<D>::plan_sweep(Summary& summary) {
   if (!Sweep<D>::possible(disc_)) return;
-  sweep_.emplace(disc_, worth_threads(disc_.nodes()) ? omp_get_max_threads() : 1);
+  SweepOptions options;
+  options.threads = worth_threads(disc_.nodes()) ? omp_get_max_threads() : 1;
+  options.single_weights = scene_.precision == Precision::mixed;
+  sweep_.emplace(disc_, options);
+  summary.storage = sweep_->storage();
   forces_ = sweep_->boundary_forces();
   if (!probes_.columns().empty()) excerpt_.emplace(disc_, probes_.nodes(), probes_.points());
 }
@@ -55,9 +61,10 @@ void RunLoop<D>::run(Summary& summary) {
   state_ = make_state<D>(disc_, std::move(initial.displacement), std::move(initial.velocity));
   evaluate<D>(disc_, state_);
   choose_step(summary);
-  plan_sweep();
-  books_every_ = scene_.output.energy_every > 0 ? scene_.output.energy_every
-                                                : std::max(1L, clock_.count / default_book_rows);
+  plan_sweep(summary);
+  books_every_ = scene_.output.energy_every > 0
+                     ? scene_.output.energy_every
+                     : std::max(fewest_steps_between, clock_.count / default_book_rows);
   if (options_.resume) {
     resume_from(read_checkpoint(options_.out / "checkpoint.h5"));
   } else {
@@ -118,7 +125,10 @@ void RunLoop<D>::evaluate_for_observers() {
   evaluated_ = !sweep_ || books_due() || frame_due();
   const Stopwatch watch;
   if (evaluated_) {
-    evaluate<D>(disc_, state_);
+    if (sweep_)
+      sweep_->evaluate(state_);
+    else
+      evaluate<D>(disc_, state_);
     if (state_.step > 0) ledger_.arrive(disc_, state_, clock_.dt);
   } else if (probes_due()) {
     excerpt_->evaluate(disc_, state_);

@@ -29,7 +29,7 @@ class RunLoop {
   void run(Summary& summary);
 
  private:
-  void plan_sweep();
+  void plan_sweep(Summary& summary);
   void resume_from(const Checkpoint& checkpoint);
   void save_checkpoint();
   void choose_step(Summary& summary);

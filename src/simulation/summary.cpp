@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "tlsph/io/json.hpp"
 
 namespace tlsph {
@@ -48,6 +50,15 @@ std::string Summary::json() const {
   tree.set("wall_seconds.stepping", wall_stepping);
   tree.set("wall_seconds.output", wall_output);
   tree.set("ns_per_particle_step", ns_per_particle_step);
+  if (storage) {
+    tree.set("storage.stencil_rows", storage->stencil_rows);
+    tree.set("storage.distinct_stencils", storage->distinct_stencils);
+    tree.set("storage.general_rows", storage->general_rows);
+    tree.set("storage.bytes_per_particle",
+             storage->bytes / static_cast<double>(std::max<Index>(1, particles)));
+  } else {
+    tree.set("storage", nullptr);
+  }
   tree.set("peak_memory_bytes", peak_memory_bytes);
   tree.set("energy.kinetic", energy.kinetic);
   tree.set("energy.elastic", energy.elastic);

@@ -21,6 +21,7 @@
 /// rounding.
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "tlsph/dynamics/ledger.hpp"
@@ -28,6 +29,25 @@
 #include "tlsph/operators/row_storage.hpp"
 
 namespace tlsph {
+
+/// Which of the compiled inner loops run; `widest` that this processor has.
+enum class Instructions { widest, baseline, avx2, avx512 };
+/// True where the program has them and the processor too.
+[[nodiscard]] bool available(Instructions instructions);
+/// "avx512", "avx2" or "baseline": what `widest` means here.
+[[nodiscard]] std::string widest_instructions();
+
+/// Multiply-adds per second of one core in that many rounds on registers, the widest instructions:
+/// what bounds arithmetic here.
+[[nodiscard]] double peak_multiply_adds(Index rounds);
+
+struct SweepOptions {
+  int threads = 1;
+  /// Weights of rows without a stencil in single precision, sums in double: half the traffic on
+  /// irregular particles. G and D are then adjoint to 1e-7 only, and momenta kept as well as that.
+  bool single_weights = false;
+  Instructions instructions = Instructions::widest;
+};
 
 template <int D>
 class Sweep {
@@ -37,8 +57,8 @@ class Sweep {
   /// stiffness matrix beside a viscous one are left to `evaluate` and `advance`.
   [[nodiscard]] static bool possible(const Discretisation<D>& discretisation);
 
-  /// Plans the passes for so many threads; `discretisation` must outlive the sweep.
-  Sweep(const Discretisation<D>& discretisation, int threads);
+  /// Plans the passes; `discretisation` must outlive the sweep.
+  explicit Sweep(const Discretisation<D>& discretisation, const SweepOptions& options = {});
   Sweep(Sweep&&) noexcept;
   Sweep(const Sweep&) = delete;
   Sweep& operator=(const Sweep&) = delete;
@@ -49,6 +69,10 @@ class Sweep {
   /// are. Gathers what the books need on the way. Takes nothing from the heap. NumericalError as
   /// `evaluate`, with u and v of t_n restored to rounding.
   void step(State<D>& state, double dt, double next_time, BoundaryForces<D>& forces);
+
+  /// H, P and f of the state (and its viscous forces), as `evaluate` leaves them to rounding, at a
+  /// fraction of its cost. NumericalError as there. Takes nothing from the heap.
+  void evaluate(State<D>& state);
 
   /// An empty record of the right size for `step`.
   [[nodiscard]] BoundaryForces<D> boundary_forces() const;

@@ -40,6 +40,11 @@ struct Names<BoundarySolver> {
                                                         {"umfpack", BoundarySolver::umfpack}}};
 };
 template <>
+struct Names<Precision> {
+  static constexpr NameList<Precision, 2> list = {
+      {{"double", Precision::full}, {"mixed", Precision::mixed}}};
+};
+template <>
 struct Names<Placement> {
   static constexpr NameList<Placement, 2> list = {
       {{"on-boundary", Placement::on_boundary}, {"cell-centred", Placement::cell_centred}}};

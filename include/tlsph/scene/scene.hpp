@@ -30,6 +30,8 @@ enum class Formulation { thesis, mirror, variational, consistent, stress_point }
 /// 1D.
 enum class GhostTreatment { consistent, as_printed, eta };
 enum class BoundarySolver { automatic, cholmod, umfpack };
+/// Of the weights of G and D where particles are irregular; sums are always in double.
+enum class Precision { full, mixed };
 enum class Placement { on_boundary, cell_centred };
 /// Of the nodes a body is filled with: rows and columns, or rows shifted by half a spacing.
 enum class Layout { square, hexagonal };
@@ -154,9 +156,10 @@ struct InitialRegion {
 };
 
 struct OutputScene {
-  int frames = 50;           // full fields, evenly in time, beside the initial one; 0 = none
-  int probe_every = 1;       // steps between rows of probes.csv
-  int energy_every = 0;      // steps between rows of the energy ledger; 0 = about 200 rows a run
+  int frames = 50;      // full fields, evenly in time, beside the initial one; 0 = none
+  int probe_every = 1;  // steps between rows of probes.csv
+  int energy_every =
+      0;  // steps between rows of the energy ledger; 0 = about 200 rows a run, ≥ 50 apart
   double checkpoint = 60.0;  // wall seconds between checkpoints
   int checkpoint_steps = 0;  // steps between checkpoints, 0 = by wall clock only
   std::vector<std::string> fields = {"displacement", "velocity", "pk1"};
@@ -170,6 +173,7 @@ struct Scene {
   Formulation formulation = Formulation::stress_point;
   GhostTreatment ghosts = GhostTreatment::consistent;
   BoundarySolver boundary_solver = BoundarySolver::automatic;
+  Precision precision = Precision::full;
   Place formulation_place, boundary_solver_place;
   BodyScene body;
   KernelScene kernel;

@@ -8,6 +8,7 @@
 
 #include "tlsph/core/types.hpp"
 #include "tlsph/operators/consistency.hpp"
+#include "tlsph/operators/row_storage.hpp"
 
 namespace tlsph {
 
@@ -53,6 +54,7 @@ struct Summary {
   int threads = 1;
   double wall_setup = 0.0, wall_stepping = 0.0, wall_output = 0.0;  ///< [s]
   double ns_per_particle_step = 0.0;
+  std::optional<StorageReport> storage;  ///< of the operators as a sweep reads them
   double peak_memory_bytes = 0.0;
   EnergyLedger energy;
   double linear_momentum_drift = 0.0, angular_momentum_drift = 0.0;

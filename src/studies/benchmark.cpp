@@ -1,0 +1,202 @@
+#include "tlsph/studies/benchmark.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+#include "plain_step.hpp"
+#include "tlsph/dynamics/critical_step.hpp"
+#include "tlsph/dynamics/sweep.hpp"
+#include "tlsph/scene/reader.hpp"
+#include "tlsph/simulation/builder.hpp"
+
+namespace tlsph {
+namespace {
+
+constexpr int batches = 7;
+
+double now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// One body, and how it is stepped.
+struct Case {
+  std::string name;
+  int dimension = 2;
+  std::vector<std::string> overrides;
+  Index particles = 0;  // 0: the large number
+  int threads = 1;
+  bool plain = true;  // measured beside it
+};
+
+std::vector<Case> cases(int cores) {
+  const auto collocated = [](const char* support) {
+    return std::vector<std::string>{"formulation=variational",
+                                    std::string("kernel.support=") + support,
+                                    "stabiliser.kind=none"};
+  };
+  const auto with = [](std::vector<std::string> list, const char* more) {
+    list.emplace_back(more);
+    return list;
+  };
+  const std::vector<std::string> linear = {"material.law=linear-elastic"};
+  std::vector<Case> list = {
+      {"stress-point, cell stabiliser, lattice", 2, {}},
+      {"the same, linear elastic", 2, linear},
+      {"collocated, 9 neighbours, lattice", 2, collocated("1.5")},
+      {"collocated, 21 neighbours, lattice", 2, collocated("2.5")},
+      {"collocated, 21 neighbours, irregular", 2, with(collocated("2.5"), "body.jitter=0.2")},
+      {"the same, mixed precision", 2,
+       with(with(collocated("2.5"), "body.jitter=0.2"), "precision=mixed"), 0, 1, false},
+      {"collocated, 96 neighbours, lattice", 2, collocated("5.5")},
+      {"stress-point, cell stabiliser, irregular", 2, {"body.jitter=0.2"}},
+      {"bar, stress-point", 1, {}},
+      {"stress-point, 225 particles", 2, {}, 225, 1, false},
+      {"stress-point, 900 particles", 2, {}, 900, 1, false},
+      {"stress-point, 3 000 particles", 2, {}, 3000, 1, false},
+      {"stress-point, 20 000 particles", 2, {}, 20'000, 1, false},
+  };
+  if (cores > 1) {
+    list.push_back({"the same, two threads", 2, {}, 20'000, 2, false});
+    list.push_back({"stress-point, lattice, two threads", 2, {}, 0, 2, false});
+    list.push_back({"collocated, 21, irregular, two threads", 2,
+                    with(collocated("2.5"), "body.jitter=0.2"), 0, 2, false});
+  }
+  return list;
+}
+
+Scene scene_of(const Case& entry, Index large) {
+  const auto particles = static_cast<double>(entry.particles > 0 ? entry.particles : large);
+  const double cells = std::round(entry.dimension == 1 ? particles - 1 : std::sqrt(particles) - 1);
+  const std::string text = fmt::format(
+      "dimension = {}\n[body]\nshape = {{ {} }}\nspacing = {:.17g}\n[material]\nyoung = 2e6\n"
+      "poisson = 0.3\ndensity = 1000\n[time]\nend = 1.0\n",
+      entry.dimension,
+      entry.dimension == 1 ? "interval = [0.0, 1.0]" : "box = [[0.0, 0.0], [1.0, 1.0]]",
+      1.0 / cells);
+  return read_scene_text(text, entry.name, entry.overrides);
+}
+
+/// A smooth motion, small beside one.
+template <int D>
+VectorField<D> wave(const VectorField<D>& X) {
+  VectorField<D> u(X.rows(), D);
+  for (Index q = 0; q < X.rows(); ++q)
+    for (int i = 0; i < D; ++i) u(q, i) = 1e-6 * std::sin(3.0 * X(q, i) + X.row(q).sum() + i);
+  return u;
+}
+
+/// Seconds of one call, in batches of so many seconds: the fastest and the median batch.
+template <class Call>
+std::array<double, 2> timed(double seconds, const Call& call) {
+  call();
+  const double first = now();
+  call();
+  const auto calls = std::max<long>(1, std::lround(seconds / std::max(1e-9, now() - first)));
+  std::array<double, batches> batch{};
+  for (double& each : batch) {
+    const double start = now();
+    for (long k = 0; k < calls; ++k) call();
+    each = (now() - start) / static_cast<double>(calls);
+  }
+  std::ranges::sort(batch);
+  return {batch.front(), batch[batches / 2]};
+}
+
+/// Multiply-adds of a law at a point, counted in its kernel (dynamics/sweep_kernels_body.hpp).
+double law_work(LawKind law, int dimension) {
+  if (law == LawKind::linear_elastic) return dimension == 1 ? 1.0 : 6.0;
+  if (law == LawKind::st_venant_kirchhoff) return dimension == 1 ? 4.0 : 24.0;
+  return dimension == 1 ? 24.0 : 38.0;  // the logarithm 16, divisions as four each
+}
+
+template <int D>
+BenchmarkRow measure(const Case& entry, const BenchmarkOptions& options,
+                     const BenchmarkTable& machine) {
+  const Scene scene = scene_of(entry, options.particles);
+  const Discretisation<D> disc = build<D>(scene);
+  State<D> state =
+      make_state<D>(disc, wave<D>(disc.particles.X), VectorField<D>::Zero(disc.nodes(), D));
+  evaluate<D>(disc, state);
+  const double dt = 0.5 * critical_step<D>(disc, state).dt;
+  start<D>(disc, state, dt);
+  Sweep<D> sweep(disc, {entry.threads, scene.precision == Precision::mixed, Instructions::widest});
+  BoundaryForces<D> forces = sweep.boundary_forces();
+
+  BenchmarkRow row;
+  row.name = entry.name;
+  row.particles = disc.nodes();
+  row.neighbours =
+      static_cast<double>(disc.gradient.nonzeros()) / static_cast<double>(disc.gradient.rows());
+  row.threads = entry.threads;
+  row.storage = sweep.storage();
+  const auto particles = static_cast<double>(disc.nodes());
+  const auto [fastest, median] =
+      timed(options.seconds, [&] { sweep.step(state, dt, state.time + dt, forces); });
+  row.ns = fastest * 1e9 / particles;
+  row.spread = median / fastest - 1.0;
+  if (entry.plain) {
+    PlainStep<D> plain(disc, state.u);
+    row.plain_ns = timed(0.5 * options.seconds, [&] { plain.step(dt); })[0] * 1e9 / particles;
+  }
+  const double entries = static_cast<double>(disc.gradient.nonzeros()) / particles;
+  const double modes = disc.cell_modulus.size() > 0 ? 1.0 : 0.0;
+  const double points = static_cast<double>(disc.points.size()) / particles;
+  row.multiply_adds =
+      2.0 * entries * (D + modes) * D + points * law_work(scene.materials.front().law, D) + 2.0 * D;
+  const double weights =
+      row.storage.bytes / particles *
+      (scene.precision == Precision::mixed ? (4.0 + 4.0 * D) / (4.0 + 8.0 * D) : 1.0);
+  row.bytes = 4.0 * D * sizeof(double) + weights;  // u and v in and out, and what rows read
+  row.memory_ns = row.bytes / machine.triad_bytes_per_second * 1e9;
+  row.arithmetic_ns = row.multiply_adds / machine.multiply_adds_per_second * 1e9;
+  row.memory_ns /= entry.threads;
+  row.arithmetic_ns /= entry.threads;
+  return row;
+}
+
+double triad() {
+  constexpr std::size_t size = 1 << 24;
+  std::vector<double> a(size, 1.0), b(size, 2.0), c(size, 3.0);
+  double best = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < batches; ++k) {
+    const double start = now();
+    for (std::size_t i = 0; i < size; ++i) a[i] = b[i] + 0.5 * c[i];
+    best = std::min(best, now() - start);
+    b[static_cast<std::size_t>(k)] = a[size - 1];
+  }
+  return 3.0 * size * sizeof(double) / best;
+}
+
+}  // namespace
+
+double BenchmarkRow::share() const {
+  return std::max(memory_ns, arithmetic_ns) / ns;
+}
+
+BenchmarkTable benchmark(const BenchmarkOptions& options) {
+  BenchmarkTable table;
+  table.instructions = widest_instructions();
+  table.cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  table.triad_bytes_per_second = triad();
+  for (int k = 0; k < batches; ++k)
+    table.multiply_adds_per_second =
+        std::max(table.multiply_adds_per_second, peak_multiply_adds(2'000'000));
+  for (const Case& entry : cases(table.cores)) {
+    if (options.stop_requested != nullptr && *options.stop_requested) {
+      table.interrupted = true;
+      break;
+    }
+    if (options.before_case) options.before_case(entry.name);
+    table.rows.push_back(entry.dimension == 1 ? measure<1>(entry, options, table)
+                                              : measure<2>(entry, options, table));
+    if (!options.out.empty()) table.write(options.out);
+  }
+  return table;
+}
+
+}  // namespace tlsph

@@ -1,0 +1,274 @@
+/// A sweep makes the step that `evaluate` and `advance` make, operator by operator, whatever the
+/// storage of its rows, its threads and its instructions.
+
+#include "tlsph/dynamics/sweep.hpp"
+#include "tlsph/dynamics/excerpt.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "property/bodies.hpp"
+#include "tlsph/core/error.hpp"
+
+namespace tlsph::property {
+namespace {
+
+/// How a sweep is made; more threads than processors are threads all the same.
+std::vector<SweepOptions> ways() {
+  std::vector<SweepOptions> all;
+  for (const int threads : {1, 2, 3}) all.push_back({threads, false, Instructions::widest});
+  for (const Instructions set : {Instructions::baseline, Instructions::avx2, Instructions::avx512})
+    if (available(set)) all.push_back({1, false, set});
+  return all;
+}
+
+constexpr double now = 0.3;
+constexpr double dt = 1e-5;
+constexpr double way_here = 0.9 * dt;  // the step before was another
+
+/// A deformed body on its way, its middle at rest: what cancels in differences of a displacement is
+/// not what is compared here.
+template <int D>
+State<D> moving(const Discretisation<D>& disc, double strain = 0.1) {
+  Random random(11);
+  const Tensor<D> A = random.tensor<D>(strain);
+  const Vector<D> middle = disc.particles.X.colwise().mean().transpose();
+  VectorField<D> u = affine<D>(disc.particles.X, A, -A * middle) +
+                     random.field<D>(disc.nodes(), 0.5 * strain * disc.spacing);
+  State<D> state = make_state<D>(disc, std::move(u), random.field<D>(disc.nodes(), 3.0));
+  state.time = now;
+  state.last_dt = way_here;
+  return state;
+}
+
+template <int D>
+void expect_the_same_fields(Sweep<D>& sweep, State<D> state, const State<D>& expected) {
+  sweep.evaluate(state);
+  const auto largest = [](const auto& field) { return field.cwiseAbs().maxCoeff(); };
+  EXPECT_LE(largest(state.H - expected.H), 1e-13 * largest(expected.H));
+  EXPECT_LE(largest(state.P - expected.P), 1e-13 * largest(expected.P));
+  EXPECT_LE(largest(state.f - expected.f), 1e-13 * largest(expected.f));
+  if (expected.viscous.size() > 0) {
+    EXPECT_LE(largest(state.viscous - expected.viscous), 1e-13 * largest(expected.viscous));
+  }
+}
+
+/// Books and fields after one step, each way, against those of `evaluate` and `advance`.
+template <int D>
+void expect_the_same_step(const Discretisation<D>& disc, double strain = 0.1) {
+  ASSERT_TRUE(Sweep<D>::possible(disc));
+  State<D> expected = moving<D>(disc, strain);
+  Ledger<D> books;
+  evaluate<D>(disc, expected);
+  State<D> at_now = moving<D>(disc, strain);
+  evaluate<D>(disc, at_now);
+  const double force = expected.f.cwiseAbs().maxCoeff();
+  const double velocity = 3.0 + dt * disc.inverse_mass.maxCoeff() * force;
+  books.arrive(disc, expected, dt);
+  books.depart(disc, expected, dt);
+  advance<D>(disc, expected, dt, now + dt);
+
+  for (const SweepOptions& way : ways()) {
+    SCOPED_TRACE(fmt::format("{} threads, instructions {}", way.threads,
+                             static_cast<int>(way.instructions)));
+    State<D> state = moving<D>(disc, strain);
+    Sweep<D> sweep(disc, way);
+    BoundaryForces<D> forces = sweep.boundary_forces();
+    Ledger<D> own;
+    sweep.step(state, dt, now + dt, forces);
+    own.book(disc, forces, state, now, way_here, dt, false);
+
+    expect_the_same_fields(sweep, moving<D>(disc, strain), at_now);
+    EXPECT_LE((state.v - expected.v).cwiseAbs().maxCoeff(), 1e-13 * velocity);
+    EXPECT_LE((state.u - expected.u).cwiseAbs().maxCoeff(),
+              1e-13 * expected.u.cwiseAbs().maxCoeff());
+    EXPECT_EQ(state.step, expected.step);
+    EXPECT_EQ(state.time, expected.time);
+    EXPECT_EQ(state.last_dt, expected.last_dt);
+    const double impulse = dt * force * static_cast<double>(disc.nodes());
+    EXPECT_NEAR(own.external_work, books.external_work, 1e-13 * impulse * velocity);
+    EXPECT_NEAR(own.dissipated, books.dissipated, 1e-13 * impulse * velocity);
+    EXPECT_LE((own.impulse - books.impulse).norm(), 1e-13 * impulse);
+    EXPECT_NEAR(own.angular_impulse, books.angular_impulse, 1e-13 * impulse);
+  }
+}
+
+/// Fine enough for several blocks of nodes and of points.
+std::string fine_spacing(const Variant& variant) {
+  return variant.one_dimensional() ? "body.spacing=4e-4" : "body.spacing=4e-3";
+}
+
+class SweepOfOperators : public testing::TestWithParam<Variant> {};
+
+TEST_P(SweepOfOperators, IsTheStepOfTheirProducts) {
+  std::vector<std::vector<std::string>> stabilisers = {{"stabiliser.kind=none"}};
+  for (const char* action : {"stiffness", "viscosity"})
+    stabilisers.push_back(
+        {"stabiliser.kind=" + GetParam().stabiliser(), std::string("stabiliser.as=") + action});
+  for (std::vector<std::string> overrides : stabilisers) {
+    SCOPED_TRACE(overrides.back());
+    overrides.push_back(fine_spacing(GetParam()));
+    discretised(scene_of(GetParam(), overrides), [](auto disc) {
+      set_material(disc, {"neo-hookean", "strain"});
+      expect_the_same_step(disc);
+    });
+  }
+}
+
+/// One kernel stands for all: rows differ by their pattern, not by where their weights come from.
+std::vector<Variant> variants_of_one_kernel() {
+  std::vector<Variant> all;
+  for (const Variant& variant : adjoint_variants())
+    if (variant.on_cells() || variant.kernel == "wendland-c2") all.push_back(variant);
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Variants, SweepOfOperators, testing::ValuesIn(variants_of_one_kernel()),
+                         ByName());
+
+class SweepOfLaws : public testing::TestWithParam<const char*> {};
+
+TEST_P(SweepOfLaws, IsTheStepOfTheirStress) {
+  for (const Material& material : materials()) {
+    SCOPED_TRACE(std::string(material.law) + " " + material.assumption);
+    discretised(scene_of({GetParam(), "stress-point", "", "", ""}), [&](auto disc) {
+      set_material(disc, material);
+      expect_the_same_step(disc);
+    });
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Layouts, SweepOfLaws, testing::Values("interval", "box", "jittered"),
+                         ByName());
+
+/// Everything a boundary can do at once.
+const std::string busy_scene = R"(
+gravity = [1.0, -9.81]
+[body]
+shape = { box = [[0.0, 0.0], [0.2, 0.1]] }
+spacing = 4e-3
+[material]
+law = "neo-hookean"
+young = 2e6
+poisson = 0.3
+density = 1000
+[[material.region]]
+box = [[0.0, 0.0], [0.1, 0.1]]
+law = "st-venant-kirchhoff"
+density = 2000
+[[boundary]]
+where = "left"
+fixed = "x"
+[[boundary]]
+where = "bottom"
+displacement = { y = { curve = "ramp", amplitude = 1e-3, rise = 1.0 } }
+[[boundary]]
+where = "right"
+traction = { curve = "constant", amplitude = 3e3 }
+[[boundary]]
+where = "top"
+traction = [1e3, -2e3]
+[time]
+end = 1.0
+)";
+
+class SweepOfBoundaries : public testing::TestWithParam<const char*> {};
+
+TEST_P(SweepOfBoundaries, IsTheStepOfTheirConditions) {
+  expect_the_same_step(build<2>(read_scene_text(busy_scene, "busy", {GetParam()})), 0.01);
+}
+
+INSTANTIATE_TEST_SUITE_P(Bodies, SweepOfBoundaries,
+                         testing::Values("body.jitter=0", "body.jitter=0.2",
+                                         "formulation=variational"),
+                         [](const auto& test) {
+                           return test.index == 0   ? "lattice"
+                                  : test.index == 1 ? "jittered"
+                                                    : "collocated";
+                         });
+
+/// What probes look at, bit by bit what a look at everything shows there.
+TEST(Excerpt, IsTheRowsOfTheWhole) {
+  const Discretisation<2> disc = build<2>(read_scene_text(busy_scene, "busy", {}));
+  State<2> whole = moving<2>(disc, 0.01);
+  State<2> part = moving<2>(disc, 0.01);
+  const std::vector<Index> nodes = {700, 0, 3, disc.nodes() - 1};
+  const std::vector<Index> points = {17, 5};
+
+  evaluate<2>(disc, whole);
+  Excerpt<2>(disc, nodes, points).evaluate(disc, part);
+
+  for (const Index q : nodes) EXPECT_EQ(part.f.row(q), whole.f.row(q)) << q;
+  for (const Index s : points) {
+    EXPECT_EQ(part.H.row(s), whole.H.row(s)) << s;
+    EXPECT_EQ(part.P.row(s), whole.P.row(s)) << s;
+  }
+  EXPECT_EQ(part.f.row(100), (VectorField<2>::Zero(1, 2)));
+}
+
+TEST(Sweep, KeepsRunsOfAsManyThreadsBitIdentical) {
+  const Discretisation<2> disc = build<2>(
+      scene_of({"jittered", "variational", "", "wendland-c2", "2.5"}, {"body.spacing=4e-3"}));
+  const auto run = [&] {
+    State<2> state = moving<2>(disc);
+    Sweep<2> sweep(disc, {2, false, Instructions::widest});
+    BoundaryForces<2> forces = sweep.boundary_forces();
+    for (int n = 1; n <= 50; ++n) sweep.step(state, dt, now + n * dt, forces);
+    return state.u;
+  };
+
+  const VectorField<2> first = run();
+
+  for (int again = 0; again < 3; ++again) EXPECT_EQ(run(), first);
+}
+
+/// A body in which one particle is thrown over its neighbours.
+TEST(Sweep, RestoresTheStateThatHasNoStress) {
+  Discretisation<2> disc =
+      build<2>(scene_of({"box", "stress-point", "", "", ""}, {"body.spacing=4e-3"}));
+  set_material(disc, {"neo-hookean", "strain"});
+  const auto broken = [&] {
+    State<2> state = moving<2>(disc);
+    state.u(disc.nodes() / 2, 0) += 5.0 * disc.spacing;
+    return state;
+  };
+  for (const SweepOptions& way : ways()) {
+    State<2> state = broken();
+    Sweep<2> sweep(disc, way);
+    BoundaryForces<2> forces = sweep.boundary_forces();
+
+    EXPECT_THROW(sweep.step(state, dt, now + dt, forces), NumericalError);
+
+    EXPECT_LE((state.u - broken().u).cwiseAbs().maxCoeff(), 1e-15);
+    EXPECT_LE((state.v - broken().v).cwiseAbs().maxCoeff(), 1e-11);
+    EXPECT_EQ(state.step, 0);
+    EXPECT_EQ(state.time, now);
+  }
+}
+
+/// Weights of 24 bits: forces as good as that, and none from a rigid displacement.
+TEST(Sweep, WithSingleWeightsDiffersByTheirRounding) {
+  const Discretisation<2> disc = build<2>(
+      scene_of({"jittered", "variational", "", "wendland-c2", "2.5"}, {"body.spacing=4e-3"}));
+  State<2> expected = moving<2>(disc);
+  evaluate<2>(disc, expected);
+  const double change = dt * disc.inverse_mass.maxCoeff() * expected.f.cwiseAbs().maxCoeff();
+  advance<2>(disc, expected, dt, now + dt);
+  Sweep<2> sweep(disc, {1, true, Instructions::widest});
+  BoundaryForces<2> forces = sweep.boundary_forces();
+  State<2> state = moving<2>(disc);
+  State<2> carried = make_state<2>(disc, VectorField<2>::Constant(disc.nodes(), 2, 7.0),
+                                   VectorField<2>::Zero(disc.nodes(), 2));
+  carried.last_dt = dt;
+
+  sweep.step(state, dt, now + dt, forces);
+  sweep.step(carried, dt, dt, forces);
+
+  const double difference = (state.v - expected.v).cwiseAbs().maxCoeff();
+  EXPECT_GT(difference, 1e-10 * change);
+  EXPECT_LE(difference, 1e-6 * change);
+  EXPECT_EQ(carried.v.cwiseAbs().maxCoeff(), 0.0);
+}
+
+}  // namespace
+}  // namespace tlsph::property
