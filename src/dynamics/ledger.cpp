@@ -53,7 +53,7 @@ void book_half(Ledger<D>& ledger, const Books<D>& books, double dt, const Veloci
     if constexpr (D > 1)
       ledger.angular_impulse += 0.5 * dt * cross<D>(books.position(dof, slot), vector);
   };
-  static const std::vector<Index> none;
+  const std::vector<Index> none;
   for (std::size_t l = 0; l < disc.loads.size(); ++l) {
     const Load& load = disc.loads[l];
     const std::vector<Index>& list = books.slots == nullptr ? none : books.slots->loads[l];
