@@ -48,7 +48,7 @@ SparseMatrix pair_stabiliser(const VectorOperator<D>& gradient, const VectorFiel
 
 SparseMatrix hourglass_rows(const Particles<2>& particles, const VectorOperator<2>& gradient) {
   static constexpr std::array<double, 4> h = {1.0, -1.0, 1.0, -1.0};
-  std::vector<Eigen::Triplet<double>> entries;
+  SparseMatrix rows = gradient.matrix(0);  // for its pattern
   for (std::size_t s = 0; s < particles.cells.size(); ++s) {
     const Cell<2>& cell = particles.cells[s];
     Vector<2> moment = Vector<2>::Zero();
@@ -57,23 +57,37 @@ SparseMatrix hourglass_rows(const Particles<2>& particles, const VectorOperator<
       const int q = gradient.pattern().column[static_cast<std::size_t>(k)];
       const auto corner = static_cast<std::size_t>(
           std::distance(cell.begin(), std::find(cell.begin(), cell.end(), q)));
-      const double gamma = 0.25 * (h[corner] - gradient.weight(k, 0) * moment[0] -
+      rows.valuePtr()[k] = 0.25 * (h[corner] - gradient.weight(k, 0) * moment[0] -
                                    gradient.weight(k, 1) * moment[1]);
-      entries.emplace_back(static_cast<int>(s), q, gamma);
     }
   }
-  SparseMatrix rows(static_cast<Index>(particles.cells.size()), particles.size());
-  rows.setFromTriplets(entries.begin(), entries.end());
   return rows;
 }
 
+namespace {
+
+/// Gives both triangles of a matrix with a symmetric pattern their mean, in place.
+void symmetrise(SparseMatrix& matrix) {
+  const int* start = matrix.outerIndexPtr();
+  // In row q the entries left of the diagonal come up in the order of the rows p above it.
+  std::vector<int> next(start, start + matrix.rows());
+  for (Index p = 0; p < matrix.rows(); ++p)
+    for (int k = start[p]; k < start[p + 1]; ++k) {
+      const int q = matrix.innerIndexPtr()[k];
+      if (q <= p) continue;
+      double& upper = matrix.valuePtr()[k];
+      double& lower = matrix.valuePtr()[next[static_cast<std::size_t>(q)]++];
+      upper = lower = 0.5 * (upper + lower);
+    }
+}
+
+}  // namespace
+
 SparseMatrix normal_matrix(const SparseMatrix& rows, const ScalarField& kappa) {
-  const SparseMatrix scaled = kappa.asDiagonal() * rows;
-  SparseMatrix result = SparseMatrix(rows.transpose()) * scaled;
-  // Round-off leaves the two triangles a few ulp apart; the energy wants them equal.
-  const SparseMatrix transposed = result.transpose();
-  result = 0.5 * (result + transposed);
+  SparseMatrix result = SparseMatrix(rows.transpose()) * SparseMatrix(kappa.asDiagonal() * rows);
   result.makeCompressed();
+  // Round-off leaves the two triangles a few ulp apart; the energy wants them equal.
+  symmetrise(result);
   return result;
 }
 
