@@ -4,9 +4,9 @@
 #include <optional>
 
 #include "tlsph/dynamics/critical_step.hpp"
+#include "tlsph/dynamics/sweep.hpp"
 #include "tlsph/linear/factor_cost.hpp"
 #include "tlsph/operators/consistency.hpp"
-#include "tlsph/dynamics/sweep.hpp"
 #include "tlsph/scene/names.hpp"
 #include "tlsph/simulation/builder.hpp"
 #include "tlsph/simulation/simulation.hpp"
