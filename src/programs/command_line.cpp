@@ -101,6 +101,9 @@ void add_benchmark(CLI::App& app, CommandLine& line) {
   command->add_option("--particles", line.particles, "of the large bodies; default: 500000")
       ->type_name("N")
       ->check(CLI::Range(1e3, 1e8));
+  command->add_option("--seconds", line.seconds, "of a batch of steps, seven a case; default: 0.3")
+      ->type_name("S")
+      ->check(CLI::Range(1e-4, 60.0));
   add_out(*command, line, "; default: out/benchmark");
   add_quiet(*command, line);
   command->callback([&line] { line.command = Command::benchmark; });

@@ -24,6 +24,7 @@ struct CommandLine {
   std::vector<std::string> cases;         // validate; empty: all
   bool quick = false;                     // validate
   double particles = 0.0;                 // benchmark; 0: the usual number
+  double seconds = 0.0;                   // benchmark; 0: the usual batch
 };
 
 /// Reads the arguments. Empty if all the user wanted was help or the version, which is printed

@@ -135,6 +135,7 @@ ExitCode benchmark_steps(const CommandLine& line) {
   BenchmarkOptions options;
   options.out = out;
   if (line.particles > 0.0) options.particles = static_cast<Index>(line.particles);
+  if (line.seconds > 0.0) options.seconds = line.seconds;
   options.stop_requested = catch_interrupts();
   if (!line.quiet)
     options.before_case = [&](const std::string& name) { print(fmt::format("{}\n", name)); };

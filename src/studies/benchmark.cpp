@@ -8,7 +8,7 @@
 #include <cmath>
 #include <thread>
 
-#include "plain_step.hpp"
+#include "tlsph/studies/plain_step.hpp"
 #include "tlsph/dynamics/critical_step.hpp"
 #include "tlsph/dynamics/sweep.hpp"
 #include "tlsph/scene/reader.hpp"

@@ -1,4 +1,4 @@
-#include "plain_step.hpp"
+#include "tlsph/studies/plain_step.hpp"
 
 #include <variant>
 

@@ -153,6 +153,27 @@ class Results(ProgramTest):
     def test_threads(self):
         self.assertEqual(read_summary(self.run_scene(BAR, "--threads", "2"))["threads"], 2)
 
+    def test_storage(self):
+        lattice = read_summary(self.run_scene(SHEET))
+        jittered = ("--set", "body.jitter=0.2")
+        irregular = read_summary(self.run_scene(SHEET, *jittered))
+        mixed = read_summary(self.run_scene(SHEET, *jittered, "--set", "precision=mixed"))
+        thesis = read_summary(self.run_scene(BAR, "--set", "formulation=thesis"))
+
+        # 100 points and 121 nodes; the four corners have nodes of their own kind
+        self.assertEqual(lattice["storage"]["general_rows"], 4)
+        self.assertEqual(lattice["storage"]["stencil_rows"], 217)
+        self.assertEqual(lattice["storage"]["distinct_stencils"], 6)
+        self.assertEqual(irregular["storage"]["general_rows"], 221)
+        self.assertGreater(
+            irregular["storage"]["bytes_per_particle"], lattice["storage"]["bytes_per_particle"]
+        )
+        self.assertAlmostEqual(
+            mixed["energy"]["elastic"] / irregular["energy"]["elastic"], 1.0, delta=1e-5
+        )
+        self.assertNotEqual(mixed["energy"]["elastic"], irregular["energy"]["elastic"])
+        self.assertIsNone(thesis["storage"])
+
     def test_every_formulation(self):
         for formulation in ("thesis", "mirror", "variational", "stress-point"):
             with self.subTest(formulation):

@@ -1,0 +1,162 @@
+/// What products, laws and whole steps cost, by Google Benchmark: counters are nanoseconds per
+/// particle. `tlsph benchmark` sets the same steps beside the limits of the machine.
+///
+///     build/release/tests/benchmarks --benchmark_filter=Sweep
+
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <string>
+
+#include "tlsph/dynamics/sweep.hpp"
+#include "tlsph/scene/reader.hpp"
+#include "tlsph/simulation/builder.hpp"
+#include "tlsph/studies/plain_step.hpp"
+
+namespace tlsph {
+namespace {
+
+/// A sheet of so many cells a side.
+Discretisation<2> sheet(const std::string& formulation, double support, double jitter,
+                        const std::string& law, long cells) {
+  std::vector<std::string> overrides;
+  if (support > 0.0) {
+    overrides.push_back(fmt::format("kernel.support={}", support));
+    overrides.emplace_back("stabiliser.kind=none");
+  }
+  const std::string text = fmt::format(
+      "formulation = \"{}\"\n[body]\nshape = {{ box = [[0.0, 0.0], [1.0, 1.0]] }}\n"
+      "spacing = {:.17g}\njitter = {}\n[material]\nlaw = \"{}\"\nyoung = 2e6\npoisson = 0.3\n"
+      "density = 1000\n[time]\nend = 1.0\n",
+      formulation, 1.0 / static_cast<double>(cells), jitter, law);
+  return build<2>(read_scene_text(text, "sheet", overrides));
+}
+
+/// What a benchmark varies: operators, storage and law.
+struct Body {
+  const char* name;
+  const char* formulation;
+  double support;
+  double jitter;
+  const char* law;
+};
+
+constexpr std::array bodies = {
+    Body{"stress-point", "stress-point", 0.0, 0.0, "neo-hookean"},
+    Body{"stress-point/irregular", "stress-point", 0.0, 0.2, "neo-hookean"},
+    Body{"stress-point/linear", "stress-point", 0.0, 0.0, "linear-elastic"},
+    Body{"collocated-9", "variational", 1.5, 0.0, "neo-hookean"},
+    Body{"collocated-21", "variational", 2.5, 0.0, "neo-hookean"},
+    Body{"collocated-21/irregular", "variational", 2.5, 0.2, "neo-hookean"},
+};
+
+Discretisation<2> sheet(const Body& body, long cells) {
+  return sheet(body.formulation, body.support, body.jitter, body.law, cells);
+}
+
+constexpr double dt = 1e-9;  // nothing moves far in as many steps as a benchmark likes
+
+void count(benchmark::State& run, Index particles) {
+  run.counters["ns"] = benchmark::Counter(
+      static_cast<double>(particles) * 1e-9,
+      benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+State<2> at_rest(const Discretisation<2>& disc) {
+  State<2> state = make_state<2>(disc, 1e-6 * disc.particles.X, 0.0 * disc.particles.X);
+  evaluate<2>(disc, state);
+  start<2>(disc, state, dt);
+  return state;
+}
+
+void sweep(benchmark::State& run, const Body& body, int threads) {
+  const Discretisation<2> disc = sheet(body, run.range(0));
+  State<2> state = at_rest(disc);
+  Sweep<2> sweep(disc, {threads, false, Instructions::widest});
+  BoundaryForces<2> forces = sweep.boundary_forces();
+  for (auto _ : run) sweep.step(state, dt, state.time + dt, forces);
+  count(run, disc.nodes());
+}
+
+/// The same step operator by operator.
+void operators(benchmark::State& run, const Body& body) {
+  const Discretisation<2> disc = sheet(body, run.range(0));
+  State<2> state = at_rest(disc);
+  for (auto _ : run) {
+    evaluate<2>(disc, state);
+    advance<2>(disc, state, dt, state.time + dt);
+  }
+  count(run, disc.nodes());
+}
+
+void plain(benchmark::State& run, const Body& body) {
+  const Discretisation<2> disc = sheet(body, run.range(0));
+  PlainStep<2> step(disc, at_rest(disc).u);
+  for (auto _ : run) step.step(dt);
+  count(run, disc.nodes());
+}
+
+void gradient_product(benchmark::State& run, const Body& body) {
+  const Discretisation<2> disc = sheet(body, run.range(0));
+  State<2> state = at_rest(disc);
+  for (auto _ : run) disc.gradient.gradient(state.u, state.H);
+  count(run, disc.nodes());
+}
+
+void divergence_product(benchmark::State& run, const Body& body) {
+  const Discretisation<2> disc = sheet(body, run.range(0));
+  State<2> state = at_rest(disc);
+  for (auto _ : run) disc.divergence.divergence(state.P, state.f);
+  count(run, disc.nodes());
+}
+
+void law(benchmark::State& run, LawName name, Assumption assumption) {
+  const AnyLaw<2> any = make_law<2>(name, assumption, 2e6, 0.3);
+  TensorField<2> H = TensorField<2>::Constant(run.range(0), 4, 1e-3);
+  TensorField<2> P(run.range(0), 4);
+  for (auto _ : run)
+    std::visit(
+        [&](const auto& of) {
+          for (Index s = 0; s < H.rows(); ++s)
+            Eigen::Map<Tensor<2>>(P.data() + 4 * s) = of.pk1(tensor_at<2>(H, s));
+        },
+        any);
+  benchmark::DoNotOptimize(P.data());
+  count(run, H.rows());
+}
+
+void register_all() {
+  const auto add = [](const std::string& name, auto function) {
+    benchmark::RegisterBenchmark(name.c_str(), function)->Arg(30)->Arg(300);
+  };
+  for (const Body& body : bodies) {
+    const std::string name = body.name;
+    add("Sweep/" + name, [&body](benchmark::State& run) { sweep(run, body, 1); });
+    add("Sweep/" + name + "/threads:2", [&body](benchmark::State& run) { sweep(run, body, 2); });
+    add("Operators/" + name, [&body](benchmark::State& run) { operators(run, body); });
+    add("Eigen/" + name, [&body](benchmark::State& run) { plain(run, body); });
+    add("Gradient/" + name, [&body](benchmark::State& run) { gradient_product(run, body); });
+    add("Divergence/" + name, [&body](benchmark::State& run) { divergence_product(run, body); });
+  }
+  const auto add_law = [](const char* name, LawName law_name, Assumption assumption) {
+    benchmark::RegisterBenchmark(name, [=](benchmark::State& run) {
+      law(run, law_name, assumption);
+    })->Arg(1000);
+  };
+  add_law("Law/linear-elastic", LawName::linear_elastic, Assumption::strain);
+  add_law("Law/st-venant-kirchhoff", LawName::st_venant_kirchhoff, Assumption::strain);
+  add_law("Law/neo-hookean", LawName::neo_hookean, Assumption::strain);
+  add_law("Law/neo-hookean, plane stress", LawName::neo_hookean, Assumption::stress);
+}
+
+}  // namespace
+}  // namespace tlsph
+
+int main(int argc, char** argv) {
+  tlsph::register_all();
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  return 0;
+}
