@@ -5,6 +5,7 @@
 #include <complex>
 
 #include "tlsph/core/error.hpp"
+#include "tlsph/dynamics/linearised.hpp"
 #include "tlsph/linear/krylov.hpp"
 #include "tlsph/operators/products.hpp"
 
@@ -17,14 +18,10 @@ class Linearised {
  public:
   Linearised(const Discretisation<D>& disc, const State<D>& state)
       : disc_(disc),
-        state_(state),
-        H_(TensorField<D>::Zero(disc.points.size(), D * D)),
+        forces_(disc, state),
         x_(VectorField<D>::Zero(disc.nodes(), D)),
         y_(x_),
-        zero_(disc.signals.size(), 0.0),
-        root_(disc.inverse_mass.cwiseSqrt()) {
-    if (disc.ghosts) workspace_ = disc.ghosts->workspace();
-  }
+        root_(disc.inverse_mass.cwiseSqrt()) {}
 
   [[nodiscard]] Index size() const { return x_.size(); }
 
@@ -32,7 +29,7 @@ class Linearised {
   void symmetric(double k, double c, const Eigen::VectorXd& x, Eigen::VectorXd& y) {
     Eigen::Map<Eigen::VectorXd>(x_.data(), size()) =
         Eigen::Map<const Eigen::VectorXd>(root_.data(), size()).cwiseProduct(x);
-    stiffness_product();
+    forces_.product(x_, y_);
     y_ *= k;
     if (c != 0.0) {
       x_ *= c;
@@ -45,44 +42,17 @@ class Linearised {
   void general(const Eigen::VectorXd& x, Eigen::VectorXd& y) {
     for (Index k = 0; k < size(); ++k)
       x_.data()[k] = disc_.inverse_mass.data()[k] == 0.0 ? 0.0 : x[k];
-    stiffness_product();
+    forces_.product(x_, y_);
     y = -Eigen::Map<const Eigen::VectorXd>(disc_.inverse_mass.data(), size())
              .cwiseProduct(Eigen::Map<const Eigen::VectorXd>(y_.data(), size()));
   }
 
  private:
-  /// y_ = −K x_ = D (A : G x_) − S x_.
-  void stiffness_product() {
-    if (disc_.ghosts)
-      disc_.ghosts->apply(x_, zero_, H_, workspace_);
-    else
-      disc_.gradient.gradient(x_, H_);
-    for (const Region<D>& region : disc_.regions)
-      std::visit(
-          [&](const auto& law) {
-            const auto at = [&](Index s) {
-              const Tensor<D> dP = law.dpk1(tensor_at<D>(state_.H, s), tensor_at<D>(H_, s));
-              Eigen::Map<Tensor<D>>(H_.data() + s * D * D) = dP;
-            };
-            if (region.points.empty())
-              for (Index s = 0; s < H_.rows(); ++s) at(s);
-            else
-              for (const int s : region.points) at(s);
-          },
-          region.law);
-    for (const SignalTerm& term : disc_.stress_values) H_.data()[term.slot] = 0.0;
-    disc_.divergence.divergence(H_, y_);
-    if (disc_.stiffness.nonZeros() > 0) subtract_differences<D>(disc_.stiffness, x_, y_);
-  }
-
   const Discretisation<D>& disc_;
-  const State<D>& state_;
-  TensorField<D> H_;
+  LinearisedForces<D> forces_;
   VectorField<D> x_;
   VectorField<D> y_;
-  std::vector<double> zero_;
   VectorField<D> root_;
-  typename GhostGradient<D>::Workspace workspace_;
 };
 
 template <int D>

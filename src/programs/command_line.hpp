@@ -9,7 +9,7 @@
 
 namespace tlsph {
 
-enum class Command { run, plan, export_operators, converge, validate, scene_reference };
+enum class Command { run, plan, export_operators, converge, stability, validate, scene_reference };
 
 struct CommandLine {
   Command command = Command::run;
@@ -23,6 +23,7 @@ struct CommandLine {
   std::vector<std::string> formulations;  // converge; empty: the scene's
   std::vector<std::string> cases;         // validate; empty: all
   bool quick = false;                     // validate
+  std::string only;                       // stability; empty: all
 };
 
 /// Reads the arguments. Empty if all the user wanted was help or the version, which is printed
