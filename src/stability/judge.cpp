@@ -14,8 +14,10 @@ namespace tlsph {
 namespace {
 
 constexpr double soft_share = 0.5;  ///< of the first true ω²: a mode below is none of the body
-/// Growth that a body meets in more than a thousand transits of a spacing is no failure of a run.
-constexpr double slow_growth = 1e-4;  ///< [c_p/Δ]
+/// Growth by a factor e in the time a wave takes through a thousand spacings.
+constexpr double slow_growth = 1e-3;  ///< [c_p/Δ]
+/// A soft mode that a viscosity keeps below this excursion is no failure.
+constexpr double damped_excursion = 1.2;
 
 template <int D>
 constexpr Index rigid_motions = D * (D + 1) / 2;
@@ -52,7 +54,7 @@ Verdict verdict_of(const AtlasRow& row) {
   if (row.acoustic <= 0.0) return Verdict::material;
   if (row.negative > 0) return Verdict::negative;
   if (row.growth > slow_growth) return Verdict::growing;
-  return row.soft > 0 ? Verdict::soft : Verdict::stable;
+  return row.soft > 0 && !(row.excursion < damped_excursion) ? Verdict::soft : Verdict::stable;
 }
 
 template <int D>

@@ -20,9 +20,9 @@ template <int D>
 template <int D>
 [[nodiscard]] double energy_drift(const Specimen<D>& specimen, double dt);
 
-/// Largest displacement of a free body over ten periods of the first true vibration `omega` [1/s], at
-/// random velocities that hold no rigid motion, over what they would make of that vibration alone: at
-/// most about one, unless there are modes without energy.
+/// Largest displacement of a free body over two periods of the first true vibration `omega` [1/s],
+/// started in the mode of the least energy that is no rigid motion, over what that velocity would
+/// make of the first vibration: about one, or many times that for a mode without energy.
 template <int D>
 [[nodiscard]] double free_excursion(const Specimen<D>& specimen, double dt, double omega);
 

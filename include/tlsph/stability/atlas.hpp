@@ -65,7 +65,7 @@ struct AtlasRow {
   double bound = not_known;      ///< the critical step a run computes, c_p Δt/Δ
   double limit = not_known;      ///< the same from the dense spectrum
   Index soft = -1;               ///< modes below half the first true ω², rigid ones not counted
-  double excursion = not_known;  ///< of a free run at random velocities, over that of the first mode
+  double excursion = not_known;  ///< of a free run in its lowest mode, over that of the first true one
   Index negative = -1;           ///< ω² < 0 with the boundary held
   double growth = not_known;     ///< largest Re(s) of a free motion [c_p/Δ]
   Verdict verdict = Verdict::stable;
