@@ -20,7 +20,9 @@ std::array<double, D> squared_frequencies(const LatticeSymbol<D>& symbol, const 
   std::array<double, D> squares;
   for (std::size_t i = 0; i < D; ++i) squares[i] = solver.eigenvalues()[static_cast<Index>(i)];
   if constexpr (D == 2) {
-    const auto along = [&](Index column) { return std::abs(solver.eigenvectors().col(column).dot(k)); };
+    const auto along = [&](Index column) {
+      return std::abs(solver.eigenvectors().col(column).dot(k));
+    };
     // Equal up to round-off where both waves are the same: keep the order of the eigenvalues.
     if (along(0) > along(1) + 1e-9 * k.norm()) std::swap(squares[0], squares[1]);
   }
@@ -55,7 +57,8 @@ int zero_energy_waves(const LatticeSymbol<D>& symbol, const Vector<D>& spacings,
   int count = 0;
   for (int corner = 1; corner < (1 << D); ++corner) {
     Vector<D> k;
-    for (int a = 0; a < D; ++a) k[a] = ((corner >> a) & 1) == 1 ? std::numbers::pi / spacings[a] : 0.0;
+    for (int a = 0; a < D; ++a)
+      k[a] = ((corner >> a) & 1) == 1 ? std::numbers::pi / spacings[a] : 0.0;
     const double unit = fastest / spacings.minCoeff();
     for (const double square : squared_frequencies<D>(symbol, k))
       if (square <= nothing * unit * unit) ++count;
@@ -63,11 +66,12 @@ int zero_energy_waves(const LatticeSymbol<D>& symbol, const Vector<D>& spacings,
   return count;
 }
 
-#define TLSPH_INSTANTIATE(D)                                                                       \
-  template struct LatticeSymbol<D>;                                                                \
-  template std::array<double, D> squared_frequencies<D>(const LatticeSymbol<D>&, const Vector<D>&); \
-  template PhaseSpeeds<D> phase_speeds<D>(const LatticeSymbol<D>&, double,                          \
-                                          const std::array<double, D>&, int, int);                  \
+#define TLSPH_INSTANTIATE(D)                                                       \
+  template struct LatticeSymbol<D>;                                                \
+  template std::array<double, D> squared_frequencies<D>(const LatticeSymbol<D>&,   \
+                                                        const Vector<D>&);         \
+  template PhaseSpeeds<D> phase_speeds<D>(const LatticeSymbol<D>&, double,         \
+                                          const std::array<double, D>&, int, int); \
   template int zero_energy_waves<D>(const LatticeSymbol<D>&, const Vector<D>&, double, double);
 TLSPH_INSTANTIATE(1)
 TLSPH_INSTANTIATE(2)

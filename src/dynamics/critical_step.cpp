@@ -56,10 +56,10 @@ class Linearised {
 };
 
 template <int D>
-double largest(Linearised<D>& linearised, double k, double c) {
+double largest(Linearised<D>& linearised, double k, double c, double tolerance) {
   LanczosOptions options;
   options.max_steps = 200;
-  options.tolerance = 1e-3;
+  options.tolerance = tolerance;
   // The Ritz value errs by residual²/gap; the bound θ + residual keeps the step on the safe side.
   const LanczosResult result = largest_eigenvalue(
       [&](const Eigen::VectorXd& x, Eigen::VectorXd& y) { linearised.symmetric(k, c, x, y); },
@@ -69,13 +69,13 @@ double largest(Linearised<D>& linearised, double k, double c) {
 
 /// Δt with λ_max(Δt² K + 2Δt C) = 4; the left side grows with an exponent between one and two.
 template <int D>
-double damped_step(Linearised<D>& linearised, double undamped) {
+double damped_step(Linearised<D>& linearised, double undamped, double tolerance) {
   double dt = undamped;
   double exponent = 1.0;
   double last_dt = 0.0;
   double last_ratio = 0.0;
   for (int k = 0; k < 12; ++k) {
-    const double ratio = largest(linearised, dt * dt, 2.0 * dt) / 4.0;
+    const double ratio = largest(linearised, dt * dt, 2.0 * dt, tolerance) / 4.0;
     if (std::abs(ratio - 1.0) < 1e-3) break;
     if (last_dt > 0.0 && dt != last_dt)
       exponent = std::clamp(std::log(ratio / last_ratio) / std::log(dt / last_dt), 1.0, 2.0);
@@ -90,14 +90,14 @@ double damped_step(Linearised<D>& linearised, double undamped) {
 
 template <int D>
 std::optional<CriticalStep> critical_step_if_any(const Discretisation<D>& disc,
-                                                 const State<D>& state) {
+                                                 const State<D>& state, double tolerance) {
   Linearised<D> linearised(disc, state);
   CriticalStep result;
   if (disc.adjoint) {
-    const double omega_squared = largest(linearised, 1.0, 0.0);
+    const double omega_squared = largest(linearised, 1.0, 0.0, tolerance);
     if (!(omega_squared > 0.0)) return std::nullopt;
     result.dt = 2.0 / std::sqrt(omega_squared);
-    if (disc.viscosity.nonZeros() > 0) result.dt = damped_step(linearised, result.dt);
+    if (disc.viscosity.nonZeros() > 0) result.dt = damped_step(linearised, result.dt, tolerance);
   } else {
     const auto steps = static_cast<int>(std::min<Index>(linearised.size(), 120));
     const auto values = arnoldi_eigenvalues(
@@ -123,9 +123,9 @@ CriticalStep critical_step(const Discretisation<D>& disc, const State<D>& state)
 }
 
 template std::optional<CriticalStep> critical_step_if_any<1>(const Discretisation<1>&,
-                                                             const State<1>&);
+                                                             const State<1>&, double);
 template std::optional<CriticalStep> critical_step_if_any<2>(const Discretisation<2>&,
-                                                             const State<2>&);
+                                                             const State<2>&, double);
 template CriticalStep critical_step<1>(const Discretisation<1>&, const State<1>&);
 template CriticalStep critical_step<2>(const Discretisation<2>&, const State<2>&);
 

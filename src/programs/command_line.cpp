@@ -86,7 +86,8 @@ void add_converge(CLI::App& app, CommandLine& line) {
 
 void add_stability(CLI::App& app, CommandLine& line) {
   auto* command = app.add_subcommand(
-      "stability", "where methods fail on the body and material of a scene, why, and what cures it");
+      "stability",
+      "where methods fail on the body and material of a scene, why, and what cures it");
   add_scene(*command, line);
   command
       ->add_option("--only", line.only,

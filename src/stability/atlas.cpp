@@ -6,8 +6,9 @@
 #include <regex>
 
 #include "contrast.hpp"
-#include "judge.hpp"
+#include "crush.hpp"
 #include "failure.hpp"
+#include "judge.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/simulation/version.hpp"
 #include "waves.hpp"
@@ -47,9 +48,27 @@ std::vector<Piece> pieces_of(const Subject& subject, FirstVibration& first) {
                           // The rows of the method say why it cannot be built.
                         }
                       }});
-  pieces.push_back({"updated Lagrangian", 10.0, [&subject](Atlas& atlas) {
-                      atlas.contrast = contrast_rows(subject);
-                    }});
+  pieces.push_back({"updated Lagrangian", 10.0,
+                    [&subject](Atlas& atlas) { atlas.contrast = contrast_rows(subject); }});
+  if (!subject.box) return pieces;
+  for (const Method& method : crushed_methods(subject.dimension))
+    for (const auto& [motion, speed] : {std::pair{Motion::pressed, 0.02},
+                                        {Motion::pressed, 0.4},
+                                        {Motion::struck, 0.02},
+                                        {Motion::struck, 0.1}})
+      for (const Follow follow : {Follow::never, Follow::follower})
+        pieces.push_back({fmt::format("crush of {} at {} c", method.name, speed), 5.0,
+                          [&subject, method, motion, speed, follow](Atlas& atlas) {
+                            atlas.crush.push_back(
+                                crush_row(subject, method, motion, speed, 0.95, follow));
+                          }});
+  const Method plain = crushed_methods(subject.dimension).front();
+  const int finer = subject.dimension == 1 ? 16 : 4;
+  pieces.push_back(
+      {"crush of a fine body, " + plain.name, 30.0, [&subject, plain, finer](Atlas& atlas) {
+         atlas.crush.push_back(
+             crush_row(subject, plain, Motion::pressed, 0.02, 0.95, Follow::follower, finer));
+       }});
   return pieces;
 }
 
@@ -67,9 +86,10 @@ Atlas draw_atlas(const AtlasRequest& request, const AtlasOptions& options) {
   std::vector<Piece> pieces = pieces_of(subject, first);
   std::erase_if(pieces, [&](const Piece& piece) { return !std::regex_search(piece.name, only); });
   if (pieces.empty())
-    throw InputError(fmt::format("--only: \"{}\" matches no row of the atlas; names look like "
-                                 "\"{}\"",
-                                 request.only, "variational 2.5 + S, jitter 0.2, nu 0.3, stretch 0.5"));
+    throw InputError(
+        fmt::format("--only: \"{}\" matches no row of the atlas; names look like "
+                    "\"{}\"",
+                    request.only, "variational 2.5 + S, jitter 0.2, nu 0.3, stretch 0.5"));
   double total = 0.0;
   for (const Piece& piece : pieces) total += piece.weight;
   double done = 0.0;

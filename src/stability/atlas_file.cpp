@@ -20,10 +20,11 @@ std::string count(Index value) {
 }
 
 const std::vector<std::string> columns = {
-    "name",       "method",    "formulation", "kernel",   "support",      "body",      "jitter",
-    "poisson",    "stretch",   "particles",   "verdict",  "refusal",      "acoustic",  "imbalance",
-    "bound",      "limit",     "soft",        "excursion", "negative",    "growth",    "run",
-    "dt_ratio",   "expected",  "seen",        "amplitude", "energy_drift", "steps",    "lost_at"};
+    "name",      "method",    "formulation",  "kernel",    "support",  "body",
+    "jitter",    "poisson",   "stretch",      "particles", "verdict",  "refusal",
+    "acoustic",  "imbalance", "unrest",       "bound",     "limit",    "soft",
+    "excursion", "negative",  "growth",       "run",       "dt_ratio", "expected",
+    "seen",      "amplitude", "energy_drift", "steps",     "lost_at"};
 
 std::vector<std::string> state_cells(const AtlasRow& row) {
   return {row.name,
@@ -40,6 +41,7 @@ std::vector<std::string> state_cells(const AtlasRow& row) {
           row.refusal,
           cell(row.acoustic),
           cell(row.imbalance),
+          cell(row.unrest),
           cell(row.bound),
           cell(row.limit),
           count(row.soft),
@@ -49,9 +51,9 @@ std::vector<std::string> state_cells(const AtlasRow& row) {
 }
 
 std::vector<std::string> run_cells(const PerturbedRun& run) {
-  return {run.label,           cell(run.ratio),        cell(run.expected),
-          cell(run.seen),      cell(run.amplitude),    cell(run.energy_drift),
-          std::to_string(run.steps), count(run.lost_at)};
+  return {
+      run.label,           cell(run.ratio),        cell(run.expected),        cell(run.seen),
+      cell(run.amplitude), cell(run.energy_drift), std::to_string(run.steps), count(run.lost_at)};
 }
 
 void write_rows(const Atlas& atlas, const std::filesystem::path& path) {
@@ -69,9 +71,9 @@ void write_rows(const Atlas& atlas, const std::filesystem::path& path) {
 
 void write_waves(const Atlas& atlas, const std::filesystem::path& path) {
   const std::vector<std::string> names =
-      atlas.dimension == 1
-          ? std::vector<std::string>{"method", "poisson", "k_x", "longitudinal"}
-          : std::vector<std::string>{"method", "poisson", "k_x", "k_y", "transverse", "longitudinal"};
+      atlas.dimension == 1 ? std::vector<std::string>{"method", "poisson", "k_x", "longitudinal"}
+                           : std::vector<std::string>{"method", "poisson",    "k_x",
+                                                      "k_y",    "transverse", "longitudinal"};
   CsvWriter csv(path, names);
   for (const WaveRow& row : atlas.waves)
     for (const std::vector<double>& line : row.map) {
@@ -111,6 +113,7 @@ Json row_json(const AtlasRow& row) {
   json.set("refusal", row.refusal);
   json.set("acoustic", row.acoustic);
   json.set("imbalance", row.imbalance);
+  json.set("unrest", row.unrest);
   json.set("critical_step", row.bound);
   json.set("true_limit", row.limit);
   json.set("soft_modes", row.soft);
@@ -147,12 +150,15 @@ Json contrast_json(const ContrastRow& row) {
 Json crush_json(const CrushRow& row) {
   Json json;
   json.set("method", row.method);
+  json.set("particles", row.particles);
+  json.set("motion", row.motion);
   json.set("follow", row.follow);
   json.set("speed", row.speed);
   json.set("safety", row.safety);
   json.set("steps", row.steps);
   json.set("estimates", row.estimates);
   json.set("looks", row.looks);
+  json.set("bounds", row.bounds);
   json.set("share", row.share);
   json.set("closest", row.closest);
   json.set("smallest_det_F", row.smallest);
@@ -190,6 +196,11 @@ void Atlas::write(const std::filesystem::path& directory) const {
   json.set("dimension", dimension);
   json.set("seconds", seconds);
   json.set("interrupted", interrupted);
+  const Safety safe = safety();
+  json.set("step.smallest_share", safe.smallest_share);
+  json.set("step.largest_share", safe.largest_share);
+  json.set("step.stable_states", safe.stable_states);
+  json.set("step.lost_runs", safe.lost_runs);
   append_all(json, "failures", failures, failure_json);
   append_all(json, "waves", waves, wave_json);
   append_all(json, "contrast", contrast, contrast_json);

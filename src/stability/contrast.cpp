@@ -25,8 +25,8 @@ std::array<int, D> counts() {
 template <int D>
 ContrastRow at_stress(const Subject& subject, double ratio) {
   // A plane wave sees λ + 2μ; in one dimension there is no shear.
-  const double lambda = subject.young * subject.poisson /
-                        ((1.0 + subject.poisson) * (1.0 - 2.0 * subject.poisson));
+  const double lambda =
+      subject.young * subject.poisson / ((1.0 + subject.poisson) * (1.0 - 2.0 * subject.poisson));
   const double mu = 0.5 * subject.young / (1.0 + subject.poisson);
   const double modulus = lambda + 2.0 * mu;
   const Lame moduli = D == 1 ? Lame{modulus, 0.0} : Lame{lambda, mu};

@@ -20,7 +20,7 @@ constexpr double slow_growth = 1e-3;  ///< [c_p/Δ]
 constexpr double damped_excursion = 1.2;
 
 template <int D>
-constexpr Index rigid_motions = D * (D + 1) / 2;
+constexpr Index rigid_motions = D*(D + 1) / 2;
 
 template <int D>
 double largest_imbalance(const Specimen<D>& specimen) {
@@ -33,7 +33,8 @@ double largest_imbalance(const Specimen<D>& specimen) {
   return scale > 0.0 ? largest / scale : 0.0;
 }
 
-/// Modes without energy of the undeformed body: free where a method can be, else with sliding edges.
+/// Modes without energy of the undeformed body: free where a method can be, else with sliding
+/// edges.
 template <int D>
 void count_soft(const Subject& subject, const StateKey& key, FirstVibration& first,
                 const Specimen<D>& sliding, const StateSpectrum& held, AtlasRow& row) {
@@ -74,7 +75,8 @@ void look_at(const Subject& subject, const StateKey& key, FirstVibration& first,
   row.negative = disc.adjoint ? spectrum.negative : 0;
   row.growth = spectrum.growth * unit;
   if (key.strip > 0) {
-    // A thin body is looked at as it is, free; what it has below its first bending is no mode of it.
+    // A thin body is looked at as it is, free; what it has below its first bending is no mode of
+    // it.
     const double omega = first.of(key, Support::free);
     row.soft = std::max<Index>(0, spectrum.below(soft_share * omega * omega) - rigid_motions<D>);
     row.excursion = free_excursion<D>(specimen, 0.9 * spectrum.limit, omega);
@@ -83,9 +85,10 @@ void look_at(const Subject& subject, const StateKey& key, FirstVibration& first,
   }
   row.verdict = verdict_of(row);
   if (!(spectrum.bound > 0.0)) return;
+  if (key.stretch != 1.0) row.unrest = unrest<D>(specimen, 0.9 * spectrum.bound);
   for (const double ratio : {0.95, 1.02})
-    row.runs.push_back(perturbed_run<D>(specimen, spectrum, ratio * spectrum.bound,
-                                        fmt::format("{}", ratio)));
+    row.runs.push_back(
+        perturbed_run<D>(specimen, spectrum, ratio * spectrum.bound, fmt::format("{}", ratio)));
   if (key.stretch == 1.0 && !std::isnan(row.support) && key.strip == 0) {
     // The rule of the thesis, (4.47): h over the speed of a thin bar.
     const double rule = row.support * disc.spacing / std::sqrt(subject.young / subject.density);
@@ -103,7 +106,8 @@ void look_at(const Subject& subject, const StateKey& key, FirstVibration& first,
 }  // namespace
 
 double FirstVibration::of(const StateKey& key, Support support) {
-  const std::string name = fmt::format("{} {} {}", key.strip, key.poisson, static_cast<int>(support));
+  const std::string name =
+      fmt::format("{} {} {}", key.strip, key.poisson, static_cast<int>(support));
   if (const auto found = known_.find(name); found != known_.end()) return found->second;
   StateKey reference = key;
   reference.jitter = 0.0;
@@ -116,8 +120,7 @@ double FirstVibration::of(const StateKey& key, Support support) {
     const Index rigid = support == Support::free ? rigid_motions<D> : 0;
     return std::sqrt(smallest_square(spectrum, rigid));
   };
-  const double omega =
-      subject_.dimension == 1 ? find.operator()<1>() : find.operator()<2>();
+  const double omega = subject_.dimension == 1 ? find.operator()<1>() : find.operator()<2>();
   return known_.emplace(name, omega).first->second;
 }
 

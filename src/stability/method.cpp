@@ -21,8 +21,8 @@ constexpr const char* bare = R"(stabiliser={kind="none"})";
 constexpr const char* pair = R"(stabiliser={kind="pair"})";
 constexpr const char* cell = R"(stabiliser={kind="cell"})";
 
-constexpr std::array other_kernels = {"cubic-spline", "quadratic", "gaussian",          "lucy",
-                                      "mollifier",    "modified-mollifier"};
+constexpr std::array other_kernels = {"cubic-spline", "quadratic", "gaussian",
+                                      "lucy",         "mollifier", "modified-mollifier"};
 
 Method thesis(const std::string& closure, double support, Cover cover) {
   return {fmt::format("thesis {} {}", closure, support),
@@ -48,8 +48,8 @@ Method variational(double support, bool stabilised, Cover cover) {
 
 Method corrected(const char* correction, Cover cover) {
   return {fmt::format("variational 2.5 {} + S", correction),
-          {"formulation=variational",
-           kernel(2.5, fmt::format(R"(, correction="{}")", correction)), pair},
+          {"formulation=variational", kernel(2.5, fmt::format(R"(, correction="{}")", correction)),
+           pair},
           cover};
 }
 
@@ -66,13 +66,16 @@ std::vector<Method> bar_methods() {
   for (const double support : {1.5, 2.5, 5.5})
     list.push_back(variational(support, true, Cover::all));
   list.push_back(consistent(1, 1, Cover::all));
-  for (const double support : {1.01, 1.5, 2.5, 3.5, 5.5}) list.push_back(mirror(support, Cover::all));
-  for (const double support : {1.5, 2.5, 3.5, 5.5}) list.push_back(thesis("consistent", support, Cover::all));
+  for (const double support : {1.01, 1.5, 2.5, 3.5, 5.5})
+    list.push_back(mirror(support, Cover::all));
+  for (const double support : {1.5, 2.5, 3.5, 5.5})
+    list.push_back(thesis("consistent", support, Cover::all));
   for (const double support : {2.5, 5.5}) {
     list.push_back(thesis("as-printed", support, Cover::few));
     list.push_back(thesis("eta", support, Cover::few));
   }
-  for (const char* name : {"none", "gradient", "mixed"}) list.push_back(corrected(name, Cover::few));
+  for (const char* name : {"none", "gradient", "mixed"})
+    list.push_back(corrected(name, Cover::few));
   for (const char* name : other_kernels)
     list.push_back({fmt::format("mirror 2.5 {}", name),
                     {"formulation=mirror", family(name, 2.5), bare},
@@ -97,13 +100,15 @@ std::vector<Method> sheet_methods() {
   list.push_back(variational(5.5, true, Cover::few));
   list.push_back(consistent(1, 1, Cover::all));
   list.push_back(consistent(2, 1, Cover::few));
-  for (const char* name : {"none", "gradient", "mixed"}) list.push_back(corrected(name, Cover::few));
+  for (const char* name : {"none", "gradient", "mixed"})
+    list.push_back(corrected(name, Cover::few));
   for (const char* name : other_kernels)
     list.push_back({fmt::format("variational 2.5 {} + S", name),
                     {"formulation=variational", family(name, 2.5), pair},
                     Cover::few});
   for (const double support : {2.5, 5.5}) list.push_back(mirror(support, Cover::few));
-  for (const double support : {2.5, 5.5}) list.push_back(thesis("consistent", support, Cover::reference));
+  for (const double support : {2.5, 5.5})
+    list.push_back(thesis("consistent", support, Cover::reference));
   return list;
 }
 
@@ -116,28 +121,30 @@ std::vector<Method> atlas_methods(int dimension) {
 std::string StateKey::name() const {
   return fmt::format("{}, {}{}, nu {}, stretch {}", method.name,
                      strip > 0 ? fmt::format("strip of {}, ", strip) : "",
-                     jitter == 0.0 ? "lattice" : fmt::format("jitter {}", jitter), poisson, stretch);
+                     jitter == 0.0 ? "lattice" : fmt::format("jitter {}", jitter), poisson,
+                     stretch);
 }
 
 std::vector<StateKey> atlas_states(int dimension, double poisson) {
-  const std::vector<double> stretches = dimension == 1
-                                            ? std::vector<double>{0.2, 0.5, 0.8, 1.0, 1.5, 2.0, 4.0, 6.0}
-                                            : std::vector<double>{0.2, 0.5, 1.0, 1.5, 4.0};
-  const std::vector<double> few_stretches = dimension == 1 ? std::vector<double>{0.5, 1.0, 4.0}
-                                                           : std::vector<double>{0.5, 1.0, 1.5};
+  const std::vector<double> stretches =
+      dimension == 1 ? std::vector<double>{0.2, 0.5, 0.8, 1.0, 1.5, 2.0, 4.0, 6.0}
+                     : std::vector<double>{0.2, 0.5, 1.0, 1.5, 4.0};
+  const std::vector<double> few_stretches =
+      dimension == 1 ? std::vector<double>{0.5, 1.0, 4.0} : std::vector<double>{0.5, 1.0, 1.5};
   std::vector<double> ratios = {poisson};
-  for (const double ratio : dimension == 1 ? std::vector<double>{0.48, 0.49, 0.4999}
-                                           : std::vector<double>{0.49, 0.4999})
+  for (const double ratio :
+       dimension == 1 ? std::vector<double>{0.48, 0.49, 0.4999} : std::vector<double>{0.49, 0.4999})
     if (ratio != poisson) ratios.push_back(ratio);
   std::vector<StateKey> states;
   for (const Method& method : atlas_methods(dimension)) {
     const bool all = method.cover == Cover::all;
     const std::vector<double> nu = all ? ratios : std::vector<double>{poisson};
-    const std::vector<double> lambda = all                               ? stretches
+    const std::vector<double> lambda = all                                ? stretches
                                        : method.cover == Cover::reference ? std::vector<double>{1.0}
                                                                           : few_stretches;
     std::vector<double> jitters = {0.0};
-    if (!method.lattice) jitters = all ? std::vector<double>{0.0, 0.2, 0.4} : std::vector<double>{0.0, 0.2};
+    if (!method.lattice)
+      jitters = all ? std::vector<double>{0.0, 0.2, 0.4} : std::vector<double>{0.0, 0.2};
     for (const double jitter : jitters)
       for (const double ratio : nu)
         for (const double stretch : lambda) states.push_back({method, 0, jitter, ratio, stretch});
@@ -146,7 +153,8 @@ std::vector<StateKey> atlas_states(int dimension, double poisson) {
     for (const Method& method : atlas_methods(dimension)) {
       const bool cells = method.name.starts_with("stress-point cells");
       const bool chosen = cells || method.name == "variational 2.5" ||
-                          method.name == "variational 2.5 + S" || method.name == "variational 1.5 + S";
+                          method.name == "variational 2.5 + S" ||
+                          method.name == "variational 1.5 + S";
       if (!chosen) continue;
       // A stress point needs a cell: two particles are the thinnest it can be.
       for (const int strip : {1, 2, 3})

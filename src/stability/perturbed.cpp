@@ -19,6 +19,7 @@ constexpr double velocity = 1e-3;       ///< of the run that keeps books [c_p]
 constexpr long usual_steps = 1000;
 constexpr long most_steps = 20000;
 constexpr long book_steps = 300;
+constexpr long rest_steps = 200;
 constexpr double linear_until = 1e7;  ///< times the perturbation: strains of about a thousandth
 constexpr double overflow = 1e13;
 
@@ -61,10 +62,10 @@ class Balanced {
   void advance() { tlsph::advance<D>(disc_, state_, dt_, state_.time + dt_); }
   /// Kinetic and elastic energy, the dead loads' potential included; after `forces`.
   [[nodiscard]] double energy() const {
-    const VectorField<D> next =
-        state_.v + dt_ * disc_.inverse_mass.cwiseProduct(state_.f);
+    const VectorField<D> next = state_.v + dt_ * disc_.inverse_mass.cwiseProduct(state_.f);
     const double kinetic = 0.5 * disc_.mass.dot(state_.v.cwiseProduct(next).rowwise().sum());
-    return kinetic + elastic_energy<D>(disc_, state_) + base_.f.cwiseProduct(state_.u - base_.u).sum();
+    return kinetic + elastic_energy<D>(disc_, state_) +
+           base_.f.cwiseProduct(state_.u - base_.u).sum();
   }
 
  private:
@@ -171,6 +172,24 @@ double energy_drift(const Specimen<D>& specimen, double dt) {
   return drift / first;
 }
 
+template <int D>
+double unrest(const Specimen<D>& specimen, double dt) {
+  const Discretisation<D>& disc = specimen.disc;
+  State<D> state = make_state<D>(disc, specimen.state.u, specimen.state.v);
+  double largest = 0.0;
+  try {
+    for (long step = 0; step < rest_steps; ++step) {
+      evaluate<D>(disc, state);
+      if (step == 0) tlsph::start<D>(disc, state, dt);
+      tlsph::advance<D>(disc, state, dt, state.time + dt);
+      largest = std::max(largest, state.v.rowwise().norm().maxCoeff());
+    }
+  } catch (const NumericalError&) {
+    return std::numeric_limits<double>::infinity();
+  }
+  return largest / disc.wave_speed();
+}
+
 /// The mode of least energy that is no rigid motion, as a velocity of unit norm.
 template <int D>
 VectorField<D> lowest_motion(const Specimen<D>& specimen) {
@@ -181,7 +200,8 @@ VectorField<D> lowest_motion(const Specimen<D>& specimen) {
   // Without energy they come in any mixture: one of them is left when rigid motion is taken off.
   VectorField<D> best = VectorField<D>::Zero(disc.nodes(), D);
   for (Index k = 0; k < modes.vectors.cols(); ++k) {
-    VectorField<D> v = Eigen::Map<const VectorField<D>>(modes.vectors.col(k).data(), disc.nodes(), D);
+    VectorField<D> v =
+        Eigen::Map<const VectorField<D>>(modes.vectors.col(k).data(), disc.nodes(), D);
     v = v.cwiseProduct(disc.inverse_mass.cwiseSqrt());
     remove_rigid_motion<D>(disc, v);
     if (norm<D>(disc, v) > norm<D>(disc, best)) best = v;
@@ -193,8 +213,8 @@ template <int D>
 double free_excursion(const Specimen<D>& specimen, double dt, double omega) {
   const Discretisation<D>& disc = specimen.disc;
   Balanced<D> body(specimen, dt);
-  body.state().v = displacement * disc.wave_speed() * std::sqrt(disc.mass.sum()) *
-                   lowest_motion<D>(specimen);
+  body.state().v =
+      displacement * disc.wave_speed() * std::sqrt(disc.mass.sum()) * lowest_motion<D>(specimen);
   const double unit = norm<D>(disc, body.state().v) / omega;
   const auto last = static_cast<long>(std::ceil(4.0 * std::numbers::pi / (omega * dt)));
   double largest = 0.0;
@@ -207,10 +227,11 @@ double free_excursion(const Specimen<D>& specimen, double dt, double omega) {
   return largest;
 }
 
-#define TLSPH_INSTANTIATE(D)                                                                   \
-  template PerturbedRun perturbed_run<D>(const Specimen<D>&, const StateSpectrum&, double,     \
-                                         const std::string&);                                  \
-  template double energy_drift<D>(const Specimen<D>&, double);                                 \
+#define TLSPH_INSTANTIATE(D)                                                               \
+  template PerturbedRun perturbed_run<D>(const Specimen<D>&, const StateSpectrum&, double, \
+                                         const std::string&);                              \
+  template double energy_drift<D>(const Specimen<D>&, double);                             \
+  template double unrest<D>(const Specimen<D>&, double);                                   \
   template double free_excursion<D>(const Specimen<D>&, double, double);
 TLSPH_INSTANTIATE(1)
 TLSPH_INSTANTIATE(2)

@@ -20,6 +20,11 @@ template <int D>
 template <int D>
 [[nodiscard]] double energy_drift(const Specimen<D>& specimen, double dt);
 
+/// Largest speed over c_p in 200 steps of the uniform state, left to itself without the dead loads
+/// that balance it; infinite where it is lost.
+template <int D>
+[[nodiscard]] double unrest(const Specimen<D>& specimen, double dt);
+
 /// Largest displacement of a free body over two periods of the first true vibration `omega` [1/s],
 /// started in the mode of the least energy that is no rigid motion, over what that velocity would
 /// make of the first vibration: about one, or many times that for a mode without energy.

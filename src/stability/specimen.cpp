@@ -23,7 +23,8 @@ const std::vector<std::string> bare_scene = {
     "boundary=[]", "initial={}", "probe=[]", "reference={}", "output={}", "time={end=1.0}",
 };
 
-std::vector<std::string> with(std::vector<std::string> first, const std::vector<std::string>& then) {
+std::vector<std::string> with(std::vector<std::string> first,
+                              const std::vector<std::string>& then) {
   first.insert(first.end(), then.begin(), then.end());
   return first;
 }
@@ -36,7 +37,8 @@ Box<D> extent(const Scene& scene) {
 /// The scene's spacing, or the finest division of its length with few enough particles.
 template <int D>
 std::vector<std::string> small_body(const Subject& subject, const Scene& scene) {
-  if (build_particles<D>(scene).size() <= (D == 1 ? cells_of_a_bar + 1 : enough_particles)) return {};
+  if (build_particles<D>(scene).size() <= (D == 1 ? cells_of_a_bar + 1 : enough_particles))
+    return {};
   const double length = subject.upper[0] - subject.lower[0];
   for (int cells = D == 1 ? cells_of_a_bar : 60; cells >= 2; --cells) {
     const std::string spacing = fmt::format("body.spacing={:.17g}", length / cells);
@@ -113,7 +115,8 @@ Scene scene_of(const Subject& subject, const StateKey& key, Support support) {
     const bool centred = key.method.cell_centred;
     const double height = (centred ? key.strip : key.strip - 1) * subject.spacing;
     const double length = cells_of_a_strip * subject.spacing;
-    set.push_back(fmt::format("body.shape={{box=[[0.0, 0.0], [{}, {}]]}}", number(length), number(height)));
+    set.push_back(
+        fmt::format("body.shape={{box=[[0.0, 0.0], [{}, {}]]}}", number(length), number(height)));
     set.push_back("body.spacing=" + number(subject.spacing));
     if (centred) set.emplace_back(R"(body.placement="cell-centred")");
     body.lower = {0.0, 0.0};

@@ -13,8 +13,8 @@ struct Subject {
   std::filesystem::path scene;
   std::vector<std::string> overrides;  ///< the user's, then what makes the body small
   int dimension = 2;
-  bool box = true;       ///< a full interval or box, whose edges can slide
-  double spacing = 0.0;  ///< [m]
+  bool box = true;                   ///< a full interval or box, whose edges can slide
+  double spacing = 0.0;              ///< [m]
   std::vector<double> lower, upper;  ///< of the body [m]
   double poisson = 0.3, young = 1.0, density = 1.0;
 };
@@ -25,8 +25,8 @@ struct Subject {
                                    const std::vector<std::string>& overrides);
 
 /// `sliding`: the normal displacement of each edge of a box is held at that of the stretch, so that
-/// the uniform state of a material that carries waves is stable (van Hove; other shapes are held all
-/// around). `free`: nothing is held.
+/// the uniform state of a material that carries waves is stable (van Hove; other shapes are held
+/// all around). `free`: nothing is held.
 enum class Support { sliding, free };
 
 /// The scene of a state.

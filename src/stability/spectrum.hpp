@@ -11,9 +11,9 @@ namespace tlsph {
 struct StateSpectrum {
   std::vector<std::complex<double>> squares;  ///< ω², largest modulus first [1/s²]
   double bound = 0.0;                         ///< critical step as a run computes it [s]
-  double limit = 0.0;     ///< the true one: 2/ω_max, or with viscosity λ_max(Δt²K + 2ΔtC) = 4 [s]
-  double growth = 0.0;    ///< largest Re(s) [1/s], zero where it is round-off
-  Index negative = 0;     ///< ω² < 0 beyond round-off
+  double limit = 0.0;  ///< the true one: 2/ω_max, or with viscosity λ_max(Δt²K + 2ΔtC) = 4 [s]
+  double growth = 0.0;  ///< largest Re(s) [1/s], zero where it is round-off
+  Index negative = 0;   ///< ω² < 0 beyond round-off
   [[nodiscard]] Index below(double square) const;  ///< |ω²| < square
 };
 template <int D>

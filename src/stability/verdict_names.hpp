@@ -26,4 +26,23 @@ namespace tlsph {
   return "stable";
 }
 
+/// The same in one letter.
+[[nodiscard]] constexpr char verdict_letter(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::refused:
+      return 'R';
+    case Verdict::material:
+      return 'm';
+    case Verdict::negative:
+      return 'N';
+    case Verdict::growing:
+      return 'G';
+    case Verdict::soft:
+      return 's';
+    case Verdict::stable:
+      break;
+  }
+  return '.';
+}
+
 }  // namespace tlsph

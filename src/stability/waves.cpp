@@ -15,7 +15,8 @@ namespace {
 constexpr int radial = 32;
 constexpr int angular = 12;
 constexpr int long_wave = radial / 4;  ///< 8 spacings a wave
-constexpr double stabiliser_reach = 3.2;  ///< of a pair stabiliser, twice its own gradient's and pairs
+constexpr double stabiliser_reach =
+    3.2;  ///< of a pair stabiliser, twice its own gradient's and pairs
 
 /// Nodes a side of the middle such that no operator of the middle sees the boundary.
 int reach_of(const Scene& scene) {
@@ -34,8 +35,9 @@ Discretisation<D> large_lattice(const Subject& subject, const StateKey& key) {
   const std::string shape =
       D == 1 ? fmt::format("body.shape={{interval=[0.0, {:.17g}]}}", side)
              : fmt::format("body.shape={{box=[[0.0, 0.0], [{0:.17g}, {0:.17g}]]}}", side);
-  large.overrides.insert(large.overrides.end(),
-                         {shape, fmt::format("body.spacing={:.17g}", subject.spacing), "body.tags=[]"});
+  large.overrides.insert(
+      large.overrides.end(),
+      {shape, fmt::format("body.spacing={:.17g}", subject.spacing), "body.tags=[]"});
   return build<D>(scene_of(large, key, Support::sliding));
 }
 
@@ -111,8 +113,8 @@ WaveRow wave_row(const Subject& subject, const Method& method, double poisson) {
   return row;
 }
 
-#define TLSPH_INSTANTIATE(D)                                                                     \
-  template LatticeSymbol<D> lattice_symbol<D>(const Discretisation<D>&, const State<D>&);        \
+#define TLSPH_INSTANTIATE(D)                                                              \
+  template LatticeSymbol<D> lattice_symbol<D>(const Discretisation<D>&, const State<D>&); \
   template WaveRow wave_row<D>(const Subject&, const Method&, double);
 TLSPH_INSTANTIATE(1)
 TLSPH_INSTANTIATE(2)

@@ -18,7 +18,8 @@ namespace tlsph {
 template <int D>
 struct LatticeSymbol {
   std::vector<Vector<D>> offset;  ///< d_q [m]
-  std::vector<Tensor<D>> block;   ///< K_q [1/s²]: row the component of the answer, column of the push
+  std::vector<Tensor<D>>
+      block;  ///< K_q [1/s²]: row the component of the answer, column of the push
 
   /// D(k) [1/s²], k [1/m]; symmetric.
   [[nodiscard]] Tensor<D> at(const Vector<D>& k) const;
@@ -37,8 +38,8 @@ struct PhaseSpeeds {
   std::vector<Vector<D>> k;                     ///< kΔ
   std::vector<std::array<double, D>> relative;  ///< ω/(c|k|), zero where ω² < 0
 };
-/// Wave numbers |k|Δ = π n/`radial`, n = 1…`radial`, in `angular` + 1 directions from the first axis
-/// to the second.
+/// Wave numbers |k|Δ = π n/`radial`, n = 1…`radial`, in `angular` + 1 directions from the first
+/// axis to the second.
 template <int D>
 [[nodiscard]] PhaseSpeeds<D> phase_speeds(const LatticeSymbol<D>& symbol, double spacing,
                                           const std::array<double, D>& exact, int radial,
