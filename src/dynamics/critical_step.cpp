@@ -67,16 +67,18 @@ double largest(Linearised<D>& linearised, double k, double c, double tolerance) 
   return result.upper_bound;
 }
 
-/// Δt with λ_max(Δt² K + 2Δt C) = 4; the left side grows with an exponent between one and two.
+/// Δt with λ_max(Δt² K + 2Δt C) = 4; the left side grows with an exponent between one and two. No
+/// longer than K or C alone allows: where a deformed material has lost its stiffness, and K drives,
+/// that is what is left.
 template <int D>
 double damped_step(Linearised<D>& linearised, double undamped, double tolerance) {
-  double dt = undamped;
+  double dt = std::min(undamped, 2.0 / largest(linearised, 0.0, 1.0, tolerance));
   double exponent = 1.0;
   double last_dt = 0.0;
   double last_ratio = 0.0;
   for (int k = 0; k < 12; ++k) {
     const double ratio = largest(linearised, dt * dt, 2.0 * dt, tolerance) / 4.0;
-    if (std::abs(ratio - 1.0) < 1e-3) break;
+    if (ratio < 1.0 + 1e-3 && (k == 0 || ratio > 1.0 - 1e-3)) break;
     if (last_dt > 0.0 && dt != last_dt)
       exponent = std::clamp(std::log(ratio / last_ratio) / std::log(dt / last_dt), 1.0, 2.0);
     last_dt = dt;

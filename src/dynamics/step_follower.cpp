@@ -27,7 +27,7 @@ constexpr double far_waste = 0.25;
 constexpr double largest_deformation_a_step = 0.1;
 /// Tangents change by about five times the relative deformation, the step by half of that; this is
 /// the share of 1 − safety that one deformation between bounds may take.
-constexpr double deformation_share = 0.1;
+constexpr double deformation_share = 0.2;
 constexpr double smallest_deformation = 1e-3;
 
 /// γ: the operators with the unit tangent, by the same products as K.

@@ -1,6 +1,7 @@
 #include "tlsph/stability/atlas.hpp"
 
 #include <fmt/format.h>
+#include <omp.h>
 
 #include <chrono>
 #include <regex>
@@ -10,6 +11,7 @@
 #include "failure.hpp"
 #include "judge.hpp"
 #include "tlsph/core/error.hpp"
+#include "tlsph/linear/blas_threads.hpp"
 #include "tlsph/simulation/version.hpp"
 #include "waves.hpp"
 
@@ -23,6 +25,24 @@ std::regex pattern_of(const std::string& only) {
     throw InputError(fmt::format("--only: \"{}\" is no regular expression", only));
   }
 }
+
+/// One thread as long as it lives: bodies are small, and times are to mean something.
+class OneThread {
+ public:
+  OneThread() {
+    omp_set_num_threads(1);
+    set_blas_threads(1);
+  }
+  OneThread(const OneThread&) = delete;
+  OneThread& operator=(const OneThread&) = delete;
+  ~OneThread() {
+    omp_set_num_threads(before_);
+    set_blas_threads(before_);
+  }
+
+ private:
+  int before_ = omp_get_max_threads();
+};
 
 /// One of the pieces the atlas is drawn of.
 struct Piece {
@@ -76,6 +96,7 @@ std::vector<Piece> pieces_of(const Subject& subject, FirstVibration& first) {
 
 Atlas draw_atlas(const AtlasRequest& request, const AtlasOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
+  const OneThread one;
   const std::regex only = pattern_of(request.only);
   const Subject subject = read_subject(request.scene, request.overrides);
   Atlas atlas;

@@ -19,15 +19,22 @@ const AtlasRow* row_of(const Atlas& atlas, const std::string& method, const Atla
   return nullptr;
 }
 
-/// Of the rows that hold at 0.95 and whose run of that label does not, the one that grows fastest.
+/// Of the rows whose run stays bounded at 0.95 and does not in the run of that label, the one that
+/// grows fastest; those of the formulation that made the rule come first.
 const AtlasRow* fastest(const Atlas& atlas, const std::string& label, Index& count) {
   const AtlasRow* worst = nullptr;
+  const auto before = [&](const AtlasRow& a, const AtlasRow& b) {
+    const bool ours = a.formulation == "thesis";
+    if (label == "h/c" && ours != (b.formulation == "thesis")) return ours;
+    return run_of(a, label)->seen > run_of(b, label)->seen;
+  };
   count = 0;
   for (const AtlasRow& row : atlas.rows) {
     const PerturbedRun* run = run_of(row, label);
-    if (run == nullptr || run->bounded() || !holds(row)) continue;
+    const PerturbedRun* below = run_of(row, "0.95");
+    if (run == nullptr || run->bounded() || !below->bounded()) continue;
     ++count;
-    if (worst == nullptr || run->seen > run_of(*worst, label)->seen) worst = &row;
+    if (worst == nullptr || before(row, *worst)) worst = &row;
   }
   return worst;
 }
@@ -101,8 +108,10 @@ void add_imbalance(const Atlas& atlas, std::vector<Failure>& failures) {
        "the adjoint of a gradient that is exact for linear fields need not be exact for constant "
        "stress: nodal sums break the divergence theorem",
        "stress points in cells, or formulation \"consistent\", whose columns are made exact",
-       fmt::format("{}: force {:.2g} of the stress, speeds up to {:.2g} c_p from rest", worst->name,
-                   worst->imbalance, worst->unrest),
+       fmt::format("{}: force {:.2g} of the stress, {} from rest", worst->name, worst->imbalance,
+                   std::isinf(worst->unrest)
+                       ? "det F <= 0 within 200 steps"
+                       : fmt::format("speeds up to {:.2g} c_p", worst->unrest)),
        fmt::format("{}: force {:.1e}, speeds up to {:.1e} c_p", cure->name, cure->imbalance,
                    cure->unrest),
        count});

@@ -89,8 +89,11 @@ double growth_of(const std::vector<double>& amplitude) {
     largest = std::max(largest, amplitude[n]);
   }
   if (largest < 10.0) return 0.0;
+  // The last three decades, where the fastest mode has left the others behind; more of the run if
+  // that takes it less than three steps.
   const double high = std::min(linear_until, 0.9 * largest);
-  return growth_rate(step, amplitude, std::sqrt(high) > 1e3 ? 1e3 : 1.5, high);
+  const double late = growth_rate(step, amplitude, std::max(1.5, 1e-3 * high), high);
+  return std::isnan(late) ? growth_rate(step, amplitude, 1.5, high) : late;
 }
 
 /// Takes the translations and the rotation out of a velocity field.
@@ -123,7 +126,7 @@ PerturbedRun perturbed_run(const Specimen<D>& specimen, const StateSpectrum& spe
   const Discretisation<D>& disc = specimen.disc;
   PerturbedRun run;
   run.label = label;
-  run.ratio = dt / spectrum.bound;
+  run.ratio = dt / spectrum.critical();
   if (disc.viscosity.nonZeros() == 0) run.expected = growth_per_step(spectrum.squares, dt);
   Balanced<D> body(specimen, dt);
   const VectorField<D> push = displacement * disc.spacing * random_field<D>(disc);

@@ -14,6 +14,11 @@ struct StateSpectrum {
   double limit = 0.0;  ///< the true one: 2/ω_max, or with viscosity λ_max(Δt²K + 2ΔtC) = 4 [s]
   double growth = 0.0;  ///< largest Re(s) [1/s], zero where it is round-off
   Index negative = 0;   ///< ω² < 0 beyond round-off
+  /// What runs are measured in: the bound, or where a material without waves has none worth the
+  /// name, the step in which its fastest growth is resolved.
+  [[nodiscard]] double critical() const {
+    return bound > 0.0 && bound < 1.1 * limit ? bound : limit;
+  }
   [[nodiscard]] Index below(double square) const;  ///< |ω²| < square
 };
 template <int D>

@@ -40,8 +40,10 @@ constexpr std::array entries = {
           "stress points in cells, whose hourglass stiffness has the right size"},
     Entry{"7 no gradient", "no operators: too few neighbours",
           "a plane cannot be fitted through them",
-          "a support of 1.5 or more; for a body one particle thick, stress points in one layer of "
-          "cells"},
+          "a support of 1.5 or more, or the nodes of a cell"},
+    Entry{"7 thin body", "no operators: a body one particle thick has no gradient across",
+          "particles in a row span a line",
+          "two layers of particles: stress points in one layer of cells bend as they should"},
     Entry{"8 ghosts", "the uniform state cannot be set up: det F <= 0 in it",
           "ghosts are solved for, and the solution oscillates beside the boundary",
           "mirrored ghosts, or no ghosts at all"},
@@ -60,8 +62,8 @@ std::string group_of(const AtlasRow& row) {
     case Verdict::soft:
       return row.method.ends_with("+ S") ? "6 weak" : "5 soft";
     case Verdict::refused:
-      return row.refusal.find("do not determine") != std::string::npos ? "7 no gradient"
-                                                                       : "8 ghosts";
+      if (row.refusal.find("do not determine") == std::string::npos) return "8 ghosts";
+      return row.body == "scene" ? "7 no gradient" : "7 thin body";
     case Verdict::stable:
       break;
   }
