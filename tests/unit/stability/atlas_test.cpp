@@ -58,7 +58,9 @@ TEST_P(Verdicts, AreConfirmedByRuns) {
   EXPECT_EQ(below.bounded(), verdict == Verdict::stable || verdict == Verdict::soft);
   EXPECT_FALSE(above.bounded());
   if (!below.bounded()) {
-    EXPECT_NEAR(below.seen, below.expected, 0.05 * below.expected);
+    // Other modes grow nearly as fast, and a run starts with all of them: it is the slower for it.
+    EXPECT_GT(below.seen, 0.9 * below.expected);
+    EXPECT_LT(below.seen, 1.01 * below.expected);
   }
   EXPECT_EQ(row.acoustic <= 0.0, verdict == Verdict::material);
   EXPECT_EQ(row.excursion > 1.4, verdict == Verdict::soft);
