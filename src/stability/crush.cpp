@@ -9,7 +9,6 @@
 #include "tlsph/core/error.hpp"
 #include "tlsph/dynamics/step_follower.hpp"
 #include "tlsph/materials/kinematics.hpp"
-#include "tlsph/scene/reader.hpp"
 #include "tlsph/simulation/builder.hpp"
 
 namespace tlsph {
@@ -39,7 +38,7 @@ Scene crushing(const Subject& subject, const Method& method, double speed) {
                         R"({{where="top", fixed="y"}}, {}])",
                         press));
   set.push_back(fmt::format("time={{end={:.17g}}}", way / speed));
-  return read_scene(subject.scene, set);
+  return subject.read(set);
 }
 
 template <int D>

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace tlsph {
 namespace {
@@ -20,12 +21,17 @@ const AtlasRow* row_of(const Atlas& atlas, const std::string& method, const Atla
 }
 
 /// Of the rows whose run stays bounded at 0.95 and does not in the run of that label, the one that
-/// grows fastest; those of the formulation that made the rule come first.
+/// grows fastest; of the rule h/c first those of the formulation that made it, wide supports before
+/// narrow ones.
 const AtlasRow* fastest(const Atlas& atlas, const std::string& label, Index& count) {
   const AtlasRow* worst = nullptr;
   const auto before = [&](const AtlasRow& a, const AtlasRow& b) {
-    const bool ours = a.formulation == "thesis";
-    if (label == "h/c" && ours != (b.formulation == "thesis")) return ours;
+    if (label == "h/c") {
+      const auto rank = [](const AtlasRow& row) {
+        return std::tuple(row.formulation == "thesis", row.support, -row.poisson);
+      };
+      if (rank(a) != rank(b)) return rank(a) > rank(b);
+    }
     return run_of(a, label)->seen > run_of(b, label)->seen;
   };
   count = 0;

@@ -43,7 +43,7 @@ std::vector<std::string> small_body(const Subject& subject, const Scene& scene) 
   for (int cells = D == 1 ? cells_of_a_bar : 60; cells >= 2; --cells) {
     const std::string spacing = fmt::format("body.spacing={:.17g}", length / cells);
     try {
-      const Scene coarse = read_scene(subject.scene, with(subject.overrides, {spacing}));
+      const Scene coarse = subject.read(with(subject.overrides, {spacing}));
       if (build_particles<D>(coarse).size() <= (D == 1 ? cells_of_a_bar + 1 : enough_particles))
         return {spacing};
     } catch (const InputError&) {
@@ -75,18 +75,23 @@ std::string edges(const Subject& subject, double stretch) {
 
 }  // namespace
 
+Scene Subject::read(const std::vector<std::string>& settings) const {
+  return read_scene_text(text, name, settings);
+}
+
 Subject read_subject(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   Subject subject;
-  subject.scene = file;
   const Scene asked = read_scene(file, overrides);
+  subject.name = asked.file;
+  subject.text = asked.text;
   if (asked.materials.size() != 1)
     throw InputError(asked.materials.back().place,
                      "the atlas varies the material of a body of one; leave the other regions out");
-  subject.overrides = with(overrides, bare_scene);
+  subject.overrides = bare_scene;
   subject.overrides.insert(subject.overrides.end(),
                            {"formulation=variational", "kernel={}", "stabiliser={}",
                             "body.jitter=0", R"(body.placement="on-boundary")"});
-  const Scene scene = read_scene(file, subject.overrides);
+  const Scene scene = subject.read(subject.overrides);
   subject.dimension = scene.dimension;
   subject.spacing = scene.body.spacing;
   subject.poisson = scene.materials.front().poisson;
@@ -97,7 +102,7 @@ Subject read_subject(const std::filesystem::path& file, const std::vector<std::s
     subject.lower = {box.lower.begin(), box.lower.end()};
     subject.upper = {box.upper.begin(), box.upper.end()};
     subject.overrides = with(subject.overrides, small_body<D>(subject, scene));
-    const Particles<D> particles = build_particles<D>(read_scene(file, subject.overrides));
+    const Particles<D> particles = build_particles<D>(subject.read(subject.overrides));
     subject.spacing = particles.spacing;
     subject.box = particles.frame.has_value();
   };
@@ -127,7 +132,7 @@ Scene scene_of(const Subject& subject, const StateKey& key, Support support) {
   set.push_back("body.jitter=" + number(key.jitter));
   set.push_back("material.poisson=" + number(key.poisson));
   if (support == Support::sliding) set.push_back(edges(body, key.stretch));
-  return read_scene(subject.scene, set);
+  return subject.read(set);
 }
 
 template <int D>

@@ -8,15 +8,18 @@
 
 namespace tlsph {
 
-/// The scene of an atlas: its text and where its overrides come from.
+/// The scene of an atlas, read once: its file may change while hundreds of states are drawn.
 struct Subject {
-  std::filesystem::path scene;
-  std::vector<std::string> overrides;  ///< the user's, then what makes the body small
+  std::string name, text;              ///< the user's overrides applied
+  std::vector<std::string> overrides;  ///< what makes the body small and bare
   int dimension = 2;
   bool box = true;                   ///< a full interval or box, whose edges can slide
   double spacing = 0.0;              ///< [m]
   std::vector<double> lower, upper;  ///< of the body [m]
   double poisson = 0.3, young = 1.0, density = 1.0;
+
+  /// The scene with these settings.
+  [[nodiscard]] Scene read(const std::vector<std::string>& settings) const;
 };
 
 /// Reads the scene, checks that an atlas can be drawn of it, and coarsens it to a few hundred

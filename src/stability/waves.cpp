@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "tlsph/dynamics/linearised.hpp"
-#include "tlsph/scene/reader.hpp"
 #include "tlsph/simulation/builder.hpp"
 
 namespace tlsph {

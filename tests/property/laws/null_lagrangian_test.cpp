@@ -1,7 +1,7 @@
 /// ∫ (∂₁u₁ ∂₂u₂ − ∂₂u₁ ∂₁u₂) vanishes for every motion that vanishes at the boundary. Mean
 /// gradients of cells keep that law exactly on any particles, which is why a compressed body stays
 /// stable with them as long as its material does.
-#include "bodies.hpp"
+#include "property/bodies.hpp"
 #include "tlsph/scene/reader.hpp"
 #include "tlsph/simulation/builder.hpp"
 
