@@ -27,7 +27,7 @@ constexpr std::array entries = {
         "the "
         "onset"},
     Entry{"3 tension", "ω² < 0 in tension of nearly incompressible material",
-          "the same sum, weighed with −λ ln J", "stress points in cells; a regular lattice"},
+          "the same sum, weighed with −λ ln J", "stress points in cells"},
     Entry{"4 growing", "oscillations that grow at any step",
           "D is not the adjoint of G: the forces come from no energy, ω² is complex",
           "an adjoint pair, or mirrored ghosts; narrow supports only slow it down"},
