@@ -66,6 +66,25 @@ std::vector<std::complex<double>> eigenvalues(const SparseMatrix& matrix) {
   return result;
 }
 
+Modes lowest_modes(const SparseMatrix& matrix, Index count) {
+  const arma::mat A = dense(matrix);
+  if (matrix.rows() != matrix.cols() || !symmetric(A))
+    throw InputError("modes are those of a symmetric matrix");
+  if (matrix.rows() == 0) return {};
+  arma::vec values;
+  arma::mat vectors;
+  require(arma::eig_sym(values, vectors, A));
+  const arma::uvec order = arma::sort_index(arma::abs(values));
+  const Index wanted = std::min(count, matrix.rows());
+  Modes modes{{}, Eigen::MatrixXd(matrix.rows(), wanted)};
+  for (Index k = 0; k < wanted; ++k) {
+    const arma::uword from = order(static_cast<arma::uword>(k));
+    modes.values.push_back(values(from));
+    modes.vectors.col(k) = Eigen::Map<const Eigen::VectorXd>(vectors.colptr(from), matrix.rows());
+  }
+  return modes;
+}
+
 std::vector<double> singular_values(const SparseMatrix& matrix) {
   if (matrix.rows() == 0 || matrix.cols() == 0) return {};
   arma::vec values;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "current_lattice.hpp"
+#include "tlsph/contrast/current_lattice.hpp"
 #include "list.hpp"
 #include "run_series.hpp"
 #include "tlsph/materials/waves.hpp"

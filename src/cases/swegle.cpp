@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "current_lattice.hpp"
+#include "tlsph/analysis/motion_growth.hpp"
+#include "tlsph/contrast/current_lattice.hpp"
 #include "list.hpp"
 #include "run_series.hpp"
 #include "tlsph/core/error.hpp"

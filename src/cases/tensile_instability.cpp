@@ -6,7 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "current_lattice.hpp"
+#include "tlsph/analysis/motion_growth.hpp"
+#include "tlsph/contrast/current_lattice.hpp"
 #include "list.hpp"
 
 namespace tlsph {

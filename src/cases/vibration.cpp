@@ -5,40 +5,16 @@
 #include <cmath>
 
 #include "tlsph/analysis/spectrum.hpp"
+#include "tlsph/dynamics/linearised.hpp"
 #include "tlsph/dynamics/state.hpp"
 
 namespace tlsph {
 
 template <int D>
 SparseMatrix dynamical_matrix(const Discretisation<D>& disc) {
-  State<D> state = make_state<D>(disc, VectorField<D>::Zero(disc.nodes(), D),
-                                 VectorField<D>::Zero(disc.nodes(), D));
-  std::vector<Index> free;
-  for (Index dof = 0; dof < disc.inverse_mass.size(); ++dof)
-    if (disc.inverse_mass.data()[dof] > 0.0) free.push_back(dof);
-  const auto n = static_cast<Index>(free.size());
-  const auto root = [&](Index k) {
-    return std::sqrt(disc.inverse_mass.data()[free[static_cast<std::size_t>(k)]]);
-  };
-  std::vector<Eigen::Triplet<double>> entries;
-  for (Index column = 0; column < n; ++column) {
-    double& u = state.u.data()[free[static_cast<std::size_t>(column)]];
-    u = 1.0;
-    evaluate<D>(disc, state);
-    u = 0.0;
-    for (Index row = 0; row < n; ++row) {
-      const double force = state.f.data()[free[static_cast<std::size_t>(row)]];
-      if (force != 0.0)
-        entries.emplace_back(static_cast<int>(row), static_cast<int>(column),
-                             -root(row) * force * root(column));
-    }
-  }
-  SparseMatrix result(n, n);
-  result.setFromTriplets(entries.begin(), entries.end());
-  if (!disc.adjoint) return result;
-  // Symmetric but for round-off, and better solved as such.
-  const SparseMatrix transposed = result.transpose();
-  return 0.5 * (result + transposed);
+  const State<D> state = make_state<D>(disc, VectorField<D>::Zero(disc.nodes(), D),
+                                       VectorField<D>::Zero(disc.nodes(), D));
+  return LinearisedForces<D>(disc, state).dynamical_matrix();
 }
 
 template <int D>

@@ -5,6 +5,7 @@
 #include <complex>
 
 #include "tlsph/core/error.hpp"
+#include "tlsph/dynamics/linearised.hpp"
 #include "tlsph/linear/krylov.hpp"
 #include "tlsph/operators/products.hpp"
 
@@ -17,14 +18,10 @@ class Linearised {
  public:
   Linearised(const Discretisation<D>& disc, const State<D>& state)
       : disc_(disc),
-        state_(state),
-        H_(TensorField<D>::Zero(disc.points.size(), D * D)),
+        forces_(disc, state),
         x_(VectorField<D>::Zero(disc.nodes(), D)),
         y_(x_),
-        zero_(disc.signals.size(), 0.0),
-        root_(disc.inverse_mass.cwiseSqrt()) {
-    if (disc.ghosts) workspace_ = disc.ghosts->workspace();
-  }
+        root_(disc.inverse_mass.cwiseSqrt()) {}
 
   [[nodiscard]] Index size() const { return x_.size(); }
 
@@ -32,7 +29,7 @@ class Linearised {
   void symmetric(double k, double c, const Eigen::VectorXd& x, Eigen::VectorXd& y) {
     Eigen::Map<Eigen::VectorXd>(x_.data(), size()) =
         Eigen::Map<const Eigen::VectorXd>(root_.data(), size()).cwiseProduct(x);
-    stiffness_product();
+    forces_.product(x_, y_);
     y_ *= k;
     if (c != 0.0) {
       x_ *= c;
@@ -45,51 +42,24 @@ class Linearised {
   void general(const Eigen::VectorXd& x, Eigen::VectorXd& y) {
     for (Index k = 0; k < size(); ++k)
       x_.data()[k] = disc_.inverse_mass.data()[k] == 0.0 ? 0.0 : x[k];
-    stiffness_product();
+    forces_.product(x_, y_);
     y = -Eigen::Map<const Eigen::VectorXd>(disc_.inverse_mass.data(), size())
              .cwiseProduct(Eigen::Map<const Eigen::VectorXd>(y_.data(), size()));
   }
 
  private:
-  /// y_ = −K x_ = D (A : G x_) − S x_.
-  void stiffness_product() {
-    if (disc_.ghosts)
-      disc_.ghosts->apply(x_, zero_, H_, workspace_);
-    else
-      disc_.gradient.gradient(x_, H_);
-    for (const Region<D>& region : disc_.regions)
-      std::visit(
-          [&](const auto& law) {
-            const auto at = [&](Index s) {
-              const Tensor<D> dP = law.dpk1(tensor_at<D>(state_.H, s), tensor_at<D>(H_, s));
-              Eigen::Map<Tensor<D>>(H_.data() + s * D * D) = dP;
-            };
-            if (region.points.empty())
-              for (Index s = 0; s < H_.rows(); ++s) at(s);
-            else
-              for (const int s : region.points) at(s);
-          },
-          region.law);
-    for (const SignalTerm& term : disc_.stress_values) H_.data()[term.slot] = 0.0;
-    disc_.divergence.divergence(H_, y_);
-    if (disc_.stiffness.nonZeros() > 0) subtract_differences<D>(disc_.stiffness, x_, y_);
-  }
-
   const Discretisation<D>& disc_;
-  const State<D>& state_;
-  TensorField<D> H_;
+  LinearisedForces<D> forces_;
   VectorField<D> x_;
   VectorField<D> y_;
-  std::vector<double> zero_;
   VectorField<D> root_;
-  typename GhostGradient<D>::Workspace workspace_;
 };
 
 template <int D>
-double largest(Linearised<D>& linearised, double k, double c) {
+double largest(Linearised<D>& linearised, double k, double c, double tolerance) {
   LanczosOptions options;
   options.max_steps = 200;
-  options.tolerance = 1e-3;
+  options.tolerance = tolerance;
   // The Ritz value errs by residual²/gap; the bound θ + residual keeps the step on the safe side.
   const LanczosResult result = largest_eigenvalue(
       [&](const Eigen::VectorXd& x, Eigen::VectorXd& y) { linearised.symmetric(k, c, x, y); },
@@ -97,16 +67,18 @@ double largest(Linearised<D>& linearised, double k, double c) {
   return result.upper_bound;
 }
 
-/// Δt with λ_max(Δt² K + 2Δt C) = 4; the left side grows with an exponent between one and two.
+/// Δt with λ_max(Δt² K + 2Δt C) = 4; the left side grows with an exponent between one and two. No
+/// longer than K or C alone allows: where a deformed material has lost its stiffness, and K drives,
+/// that is what is left.
 template <int D>
-double damped_step(Linearised<D>& linearised, double undamped) {
-  double dt = undamped;
+double damped_step(Linearised<D>& linearised, double undamped, double tolerance) {
+  double dt = std::min(undamped, 2.0 / largest(linearised, 0.0, 1.0, tolerance));
   double exponent = 1.0;
   double last_dt = 0.0;
   double last_ratio = 0.0;
   for (int k = 0; k < 12; ++k) {
-    const double ratio = largest(linearised, dt * dt, 2.0 * dt) / 4.0;
-    if (std::abs(ratio - 1.0) < 1e-3) break;
+    const double ratio = largest(linearised, dt * dt, 2.0 * dt, tolerance) / 4.0;
+    if (ratio < 1.0 + 1e-3 && (k == 0 || ratio > 1.0 - 1e-3)) break;
     if (last_dt > 0.0 && dt != last_dt)
       exponent = std::clamp(std::log(ratio / last_ratio) / std::log(dt / last_dt), 1.0, 2.0);
     last_dt = dt;
@@ -120,14 +92,14 @@ double damped_step(Linearised<D>& linearised, double undamped) {
 
 template <int D>
 std::optional<CriticalStep> critical_step_if_any(const Discretisation<D>& disc,
-                                                 const State<D>& state) {
+                                                 const State<D>& state, double tolerance) {
   Linearised<D> linearised(disc, state);
   CriticalStep result;
   if (disc.adjoint) {
-    const double omega_squared = largest(linearised, 1.0, 0.0);
+    const double omega_squared = largest(linearised, 1.0, 0.0, tolerance);
     if (!(omega_squared > 0.0)) return std::nullopt;
     result.dt = 2.0 / std::sqrt(omega_squared);
-    if (disc.viscosity.nonZeros() > 0) result.dt = damped_step(linearised, result.dt);
+    if (disc.viscosity.nonZeros() > 0) result.dt = damped_step(linearised, result.dt, tolerance);
   } else {
     const auto steps = static_cast<int>(std::min<Index>(linearised.size(), 120));
     const auto values = arnoldi_eigenvalues(
@@ -153,9 +125,9 @@ CriticalStep critical_step(const Discretisation<D>& disc, const State<D>& state)
 }
 
 template std::optional<CriticalStep> critical_step_if_any<1>(const Discretisation<1>&,
-                                                             const State<1>&);
+                                                             const State<1>&, double);
 template std::optional<CriticalStep> critical_step_if_any<2>(const Discretisation<2>&,
-                                                             const State<2>&);
+                                                             const State<2>&, double);
 template CriticalStep critical_step<1>(const Discretisation<1>&, const State<1>&);
 template CriticalStep critical_step<2>(const Discretisation<2>&, const State<2>&);
 

@@ -84,6 +84,20 @@ void add_converge(CLI::App& app, CommandLine& line) {
   command->callback([&line] { line.command = Command::converge; });
 }
 
+void add_stability(CLI::App& app, CommandLine& line) {
+  auto* command = app.add_subcommand(
+      "stability",
+      "where methods fail on the body and material of a scene, why, and what cures it");
+  add_scene(*command, line);
+  command
+      ->add_option("--only", line.only,
+                   "rows whose names this regular expression finds, e.g. 'jitter 0.4.*nu 0.3'")
+      ->type_name("REGEX");
+  add_out(*command, line, "; default: out/<name of the scene>-stability");
+  add_quiet(*command, line);
+  command->callback([&line] { line.command = Command::stability; });
+}
+
 void add_validate(CLI::App& app, CommandLine& line) {
   auto* command = app.add_subcommand(
       "validate", "run problems of the literature and hold what comes out against what must");
@@ -121,6 +135,7 @@ std::optional<CommandLine> parse_command_line(int argc, const char* const* argv)
   add_plan(app, line);
   add_export(app, line);
   add_converge(app, line);
+  add_stability(app, line);
   add_validate(app, line);
   add_benchmark(app, line);
   app.add_subcommand("scene-reference", "every key of a scene: type, unit, default, range")

@@ -9,7 +9,16 @@
 
 namespace tlsph {
 
-enum class Command { run, plan, export_operators, converge, validate, benchmark, scene_reference };
+enum class Command {
+  run,
+  plan,
+  export_operators,
+  converge,
+  stability,
+  validate,
+  benchmark,
+  scene_reference
+};
 
 struct CommandLine {
   Command command = Command::run;
@@ -25,6 +34,7 @@ struct CommandLine {
   bool quick = false;                     // validate
   double particles = 0.0;                 // benchmark; 0: the usual number
   double seconds = 0.0;                   // benchmark; 0: the usual batch
+  std::string only;                       // stability; empty: all
 };
 
 /// Reads the arguments. Empty if all the user wanted was help or the version, which is printed

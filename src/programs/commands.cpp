@@ -15,6 +15,7 @@
 #include "tlsph/core/error.hpp"
 #include "tlsph/scene/reader.hpp"
 #include "tlsph/simulation/simulation.hpp"
+#include "tlsph/stability/atlas.hpp"
 #include "tlsph/studies/benchmark.hpp"
 #include "tlsph/studies/converge.hpp"
 #include "tlsph/studies/figure.hpp"
@@ -93,7 +94,7 @@ ExitCode converge_scene(const CommandLine& line) {
 
   display.reset();
   const Figure figure = draw_figure("convergence", out / "convergence.csv");
-  if (!line.quiet) print(fmt::format("\n{}\n{}", table.text(), converge_report(out, figure)));
+  if (!line.quiet) print(fmt::format("\n{}\n{}", table.text(), study_report(out, figure)));
   if (table.interrupted) return interruption();
   const auto failed = std::ranges::count_if(
       table.rows, [](const ConvergenceRow& row) { return !row.failure.empty(); });
@@ -102,6 +103,23 @@ ExitCode converge_scene(const CommandLine& line) {
                                      (out / "convergence.csv").string()),
                          0.0, -1);
   return ExitCode::done;
+}
+
+ExitCode draw_stability(const CommandLine& line) {
+  const std::filesystem::path out =
+      line.out.empty() ? "out" / line.scene.stem().concat("-stability") : line.out;
+  ProgressDisplay display(stdout, ProgressDisplay::style_for(stdout, line.quiet));
+  AtlasOptions options;
+  options.stop_requested = catch_interrupts();
+  options.progress = [&](double share, const std::string& what) { display.show(share, what); };
+
+  const Atlas atlas = draw_atlas({line.scene, line.overrides, line.only}, options);
+
+  display.clear();
+  atlas.write(out);
+  const Figure figure = draw_figure("stability", out / "stability.json");
+  if (!line.quiet) print(fmt::format("{}{}", atlas.text(), study_report(out, figure)));
+  return atlas.interrupted ? interruption() : ExitCode::done;
 }
 
 ExitCode validate_cases(const CommandLine& line) {
@@ -165,6 +183,8 @@ ExitCode execute(const CommandLine& line) {
       return export_scene(line);
     case Command::converge:
       return converge_scene(line);
+    case Command::stability:
+      return draw_stability(line);
     case Command::validate:
       return validate_cases(line);
     case Command::benchmark:

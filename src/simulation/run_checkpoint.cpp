@@ -8,7 +8,7 @@ namespace {
 
 /// Doubles of a run that are no fields, in the order in which a checkpoint holds them.
 template <int D>
-constexpr std::size_t numbers = 19 + 2 * D;
+constexpr std::size_t numbers = 16 + 2 * D;
 
 std::span<const double> flat(const auto& matrix) {
   return {matrix.data(), static_cast<std::size_t>(matrix.size())};
@@ -40,9 +40,6 @@ void RunLoop<D>::save_checkpoint() {
                                 clock_.dt,
                                 critical_.dt,
                                 critical_.scaled,
-                                estimated_at_[0],
-                                estimated_at_[1],
-                                estimated_at_[2],
                                 ledger_.external_work,
                                 ledger_.dissipated,
                                 ledger_.angular_impulse,
@@ -57,6 +54,13 @@ void RunLoop<D>::save_checkpoint() {
   values.push_back(momentum_drift_);
   values.push_back(angular_drift_);
   view.arrays["numbers"] = values;
+  std::vector<double> followed;
+  if (follower_) {
+    followed = follower_->numbers();
+    view.arrays["follower"] = followed;
+    view.arrays["estimated_at"] = flat(follower_->estimated_at());
+    view.arrays["checked_at"] = flat(follower_->checked_at());
+  }
   std::vector<double> lost;
   if (hyperbolicity_lost_) {
     lost = {hyperbolicity_lost_->time, hyperbolicity_lost_->acoustic_eigenvalue};
@@ -98,14 +102,20 @@ void RunLoop<D>::resume_from(const Checkpoint& checkpoint) {
   std::size_t k = 0;
   for (double* slot :
        {&state_.time, &state_.last_dt, &clock_.start, &clock_.end, &clock_.dt, &critical_.dt,
-        &critical_.scaled, &estimated_at_[0], &estimated_at_[1], &estimated_at_[2],
-        &ledger_.external_work, &ledger_.dissipated, &ledger_.angular_impulse, &first_energy_,
-        &largest_energy_, &drift_, &first_angular_, &momentum_scale_, &angular_scale_})
+        &critical_.scaled, &ledger_.external_work, &ledger_.dissipated, &ledger_.angular_impulse,
+        &first_energy_, &largest_energy_, &drift_, &first_angular_, &momentum_scale_,
+        &angular_scale_})
     *slot = n[k++];
   for (int i = 0; i < D; ++i) ledger_.impulse[i] = n[k++];
   for (int i = 0; i < D; ++i) first_momentum_[i] = n[k++];
   momentum_drift_ = n[k++];
   angular_drift_ = n[k++];
+  if (follower_) {
+    const auto size = static_cast<std::size_t>(state_.H.size());
+    follower_->restore(checkpoint.array("follower", StepFollower<D>::number_count),
+                       checkpoint.array("estimated_at", size),
+                       checkpoint.array("checked_at", size));
+  }
   state_.step = checkpoint.integer("step");
   clock_.first = checkpoint.integer("clock_first");
   clock_.count = checkpoint.integer("clock_count");

@@ -2,22 +2,18 @@
 /// \file
 /// The time loop of a run, from the initial state or a checkpoint to the end. Not for other rooms.
 
-#include <array>
 #include <optional>
 #include <string>
 
 #include "clock.hpp"
 #include "run_output.hpp"
-#include "tlsph/dynamics/critical_step.hpp"
 #include "tlsph/dynamics/excerpt.hpp"
+#include "tlsph/dynamics/step_follower.hpp"
 #include "tlsph/dynamics/sweep.hpp"
 #include "tlsph/simulation/builder.hpp"
 #include "tlsph/simulation/simulation.hpp"
 
 namespace tlsph {
-
-/// Extremes of the Green–Lagrange strain: how far the body is from where its step was estimated.
-using StrainExtremes = std::array<double, 3>;
 
 template <int D>
 class RunLoop {
@@ -33,7 +29,6 @@ class RunLoop {
   void resume_from(const Checkpoint& checkpoint);
   void save_checkpoint();
   void choose_step(Summary& summary);
-  void adapt_step();
   void set_step(double wanted);
   void follow_deformation();
   void evaluate_for_observers();
@@ -62,8 +57,7 @@ class RunLoop {
   Clock clock_;
   Ledger<D> ledger_;
   CriticalStep critical_;
-  double longest_ = 0.0;  ///< step the run started with [s]; it takes none that is longer
-  StrainExtremes estimated_at_{};
+  std::optional<StepFollower<D>> follower_;  ///< of bodies whose stiffness changes
   std::optional<RunOutput<D>> output_;
 
   // Books of the whole run, kept by checkpoints.

@@ -19,6 +19,16 @@ inline constexpr Index largest_dense = 5000;
 /// NumericalError if the iteration does not converge.
 [[nodiscard]] std::vector<std::complex<double>> eigenvalues(const SparseMatrix& matrix);
 
+/// Eigenvalues of least modulus, ascending in it, with their unit eigenvectors.
+struct Modes {
+  std::vector<double> values;
+  Eigen::MatrixXd vectors;  ///< a column each
+};
+
+/// The `count` of them (at most the rows) of a symmetric matrix. InputError if it is not exactly
+/// symmetric; other errors as above.
+[[nodiscard]] Modes lowest_modes(const SparseMatrix& matrix, Index count);
+
 /// All min(rows, columns) singular values, largest first. Errors as above.
 [[nodiscard]] std::vector<double> singular_values(const SparseMatrix& matrix);
 

@@ -9,9 +9,10 @@
 ///
 /// without correction at boundaries and without viscosity, as in the stability studies of Swegle et
 /// al. (J. Comput. Phys. 116, 1995); contrast/growth.hpp says how fast it must fail. The room
-/// stands at the end of the list on purpose: nothing but the cases that show the failure may
-/// include it. Operators of the reference configuration are const once built, and a formulation, an
-/// integrator or an observer that knew of others would lose what the total-Lagrangian form gives.
+/// stands at the end of the list on purpose: nothing but the cases that show the failure, and the
+/// atlas of failures, may include it. Operators of the reference configuration are const once
+/// built, and a formulation, an integrator or an observer that knew of others would lose what the
+/// total-Lagrangian form gives.
 
 #include "tlsph/core/types.hpp"
 #include "tlsph/kernels/families.hpp"

@@ -40,4 +40,23 @@ template <class Term>
   return sum;
 }
 
+/// max(0, term(row) over all rows); a term that is not a number is left out.
+template <class Term>
+[[nodiscard]] double max_rows(Index rows, const Term& term) {
+  double largest = 0.0;
+  if (worth_threads(rows)) {
+#pragma omp parallel for schedule(static) reduction(max : largest)
+    for (Index row = 0; row < rows; ++row) {
+      const double value = term(row);
+      largest = value > largest ? value : largest;
+    }
+  } else {
+    for (Index row = 0; row < rows; ++row) {
+      const double value = term(row);
+      largest = value > largest ? value : largest;
+    }
+  }
+  return largest;
+}
+
 }  // namespace tlsph

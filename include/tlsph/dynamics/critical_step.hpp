@@ -24,8 +24,10 @@ template <int D>
 [[nodiscard]] CriticalStep critical_step(const Discretisation<D>& discretisation,
                                          const State<D>& state);
 /// The same, nothing if there is no stiffness, as where a deformed material has lost it.
+/// `tolerance` is the relative residual of ω²_max at which Lanczos stops; what is left of it counts
+/// against Δt.
 template <int D>
 [[nodiscard]] std::optional<CriticalStep> critical_step_if_any(
-    const Discretisation<D>& discretisation, const State<D>& state);
+    const Discretisation<D>& discretisation, const State<D>& state, double tolerance = 1e-3);
 
 }  // namespace tlsph

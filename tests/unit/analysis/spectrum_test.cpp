@@ -111,5 +111,25 @@ TEST(Spectrum, IsRefusedWhereThereIsNone) {
   EXPECT_THROW((void)eigenvalues(sparse(1, 1, {{0, 0, std::nan("")}})), InputError);
 }
 
+TEST(LowestModes, AreSmallInModulusAndSolveTheMatrix) {
+  const SparseMatrix A =
+      sparse(4, 4, {{0, 0, 5.0}, {1, 1, -0.5}, {2, 2, 2.0}, {2, 3, 1.0}, {3, 2, 1.0}, {3, 3, 2.0}});
+
+  const Modes modes = lowest_modes(A, 2);
+
+  ASSERT_EQ(modes.values.size(), 2U);
+  EXPECT_NEAR(modes.values[0], -0.5, 1e-14);
+  EXPECT_NEAR(modes.values[1], 1.0, 1e-14);
+  for (int k = 0; k < 2; ++k) {
+    const Eigen::VectorXd v = modes.vectors.col(k);
+    EXPECT_NEAR(v.norm(), 1.0, 1e-14);
+    EXPECT_LT((A * v - modes.values[static_cast<std::size_t>(k)] * v).norm(), 1e-13);
+  }
+}
+
+TEST(LowestModes, RefuseAMatrixThatIsNotSymmetric) {
+  EXPECT_THROW((void)lowest_modes(sparse(2, 2, {{0, 1, 1.0}}), 1), InputError);
+}
+
 }  // namespace
 }  // namespace tlsph

@@ -4,8 +4,6 @@
 /// every step.
 
 #include <array>
-#include <span>
-#include <vector>
 
 #include "tlsph/contrast/growth.hpp"
 #include "tlsph/contrast/updated_lagrangian.hpp"
@@ -34,11 +32,5 @@ void displace(CurrentRun<D>& run, const VectorField<D>& displacement);
 /// masses.
 template <int D>
 [[nodiscard]] double linear_growth_rate(const CurrentRun<D>& run);
-
-/// Rate of exponential growth [1/s]: slope of ln(values) by least squares over the samples from the
-/// first that reaches `low` to the last before `high`. Not a number where the values do not grow
-/// that far.
-[[nodiscard]] double growth_rate(std::span<const double> time, std::span<const double> values,
-                                 double low, double high);
 
 }  // namespace tlsph

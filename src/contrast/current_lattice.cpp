@@ -1,8 +1,7 @@
-#include "current_lattice.hpp"
+#include "tlsph/contrast/current_lattice.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "tlsph/linear/krylov.hpp"
 #include "tlsph/particles/particles.hpp"
@@ -60,26 +59,6 @@ double linear_growth_rate(const CurrentRun<D>& run) {
   const auto rightmost =
       largest_eigenvalue(derivative, dofs, {.max_steps = 300, .tolerance = 1e-3});
   return std::sqrt(std::max(0.0, rightmost.value));
-}
-
-double growth_rate(std::span<const double> time, std::span<const double> values, double low,
-                   double high) {
-  std::size_t first = 0;
-  while (first < values.size() && !(values[first] >= low)) ++first;
-  std::size_t last = first;
-  while (last < values.size() && values[last] < high) ++last;
-  if (last == values.size() || last - first < 3) return std::numeric_limits<double>::quiet_NaN();
-  double t = 0.0, y = 0.0, tt = 0.0, ty = 0.0;
-  const auto count = static_cast<double>(last - first);
-  for (std::size_t k = first; k < last; ++k) {
-    t += time[k] / count;
-    y += std::log(values[k]) / count;
-  }
-  for (std::size_t k = first; k < last; ++k) {
-    tt += (time[k] - t) * (time[k] - t);
-    ty += (time[k] - t) * (std::log(values[k]) - y);
-  }
-  return ty / tt;
 }
 
 template CurrentRun<1> current_lattice<1>(const StressedLattice<1>&, const std::array<int, 1>&,

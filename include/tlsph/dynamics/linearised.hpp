@@ -1,0 +1,39 @@
+#pragma once
+/// \file
+/// The forces of a run linearised at a state: K = −∂f/∂u with the tangents of the law there, by the
+/// run's own operators. Who wants its extremes multiplies by it (critical_step.hpp); who wants the
+/// whole spectrum of a small body asks for the matrix.
+
+#include "tlsph/dynamics/state.hpp"
+
+namespace tlsph {
+
+template <int D>
+class LinearisedForces {
+ public:
+  /// Both must outlive this; products follow changes of `state.H`.
+  LinearisedForces(const Discretisation<D>& discretisation, const State<D>& state);
+
+  /// −K x = D (A : G x) − S x, the change of the forces with a displacement x (N×d) [N per
+  /// thickness]. Signals do not change.
+  void product(const VectorField<D>& x, VectorField<D>& force);
+
+  /// Entries of `inverse_mass` that are not zero, ascending.
+  [[nodiscard]] std::vector<Index> free_dofs() const;
+
+  /// M^-½ K M^-½ over the free degrees of freedom [1/s²], column by column, n² time; exactly
+  /// symmetric where D is the adjoint of G.
+  [[nodiscard]] SparseMatrix dynamical_matrix();
+
+  /// M^-½ C M^-½ in the same order [1/s]; empty without viscosity.
+  [[nodiscard]] SparseMatrix damping_matrix() const;
+
+ private:
+  const Discretisation<D>& disc_;
+  const State<D>& state_;
+  TensorField<D> H_;
+  std::vector<double> zero_;
+  typename GhostGradient<D>::Workspace workspace_;
+};
+
+}  // namespace tlsph

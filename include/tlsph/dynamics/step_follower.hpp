@@ -1,0 +1,80 @@
+#pragma once
+/// \file
+/// The critical step of a body whose stiffness follows its deformation, kept safe at little cost.
+///
+/// K depends on the state through the tangents A_s of the material points alone, so what an
+/// estimate at one state says of all others follows from Weyl's inequality:
+///
+///     ω²_max ≤ ω²_max(estimate) + γ max_s λ_max(A_s − A_s(estimate)),    γ = λ_max(M⁻¹ Gᵀ V G)
+///
+/// γ is a constant of the operators. The bound costs two tangents a point, wanted only where the
+/// body has deformed by a part of a per cent since it was last taken, and a new estimate only where
+/// what the bound may have wasted would have paid for it. How much a body deforms in the steps to
+/// come is read off the last ones; no point may deform by more than a tenth in a step, whose
+/// tangent could be overtaken otherwise. (Where D is not the adjoint of G, as in `mirror` and
+/// `thesis`, K is not symmetric and the same formula is an estimate.)
+
+#include <vector>
+
+#include "tlsph/dynamics/critical_step.hpp"
+#include "tlsph/dynamics/linearised.hpp"
+
+namespace tlsph {
+
+template <int D>
+class StepFollower {
+ public:
+  /// Estimates at `state`, evaluated. NumericalError if nothing limits the step there.
+  StepFollower(const Discretisation<D>& discretisation, const State<D>& state, double safety);
+
+  /// The last estimate.
+  [[nodiscard]] const CriticalStep& critical() const { return critical_; }
+  /// The step that is safe now: `safety` times the bound or less, never longer than the first [s].
+  [[nodiscard]] double step() const { return step_; }
+
+  /// True at steps at which `follow` looks at H; at others it needs no evaluated state.
+  [[nodiscard]] bool due(const State<D>& state) const { return state.step >= next_look_; }
+  /// After `evaluate` at every step; most of the time nothing happens. True when `step()` has
+  /// changed. Takes memory only for a new estimate.
+  bool follow(const State<D>& state);
+
+  /// 2/√(ω²_max bound) at a state, whatever was looked at before [s].
+  [[nodiscard]] double bound(const State<D>& state) const;
+
+  [[nodiscard]] long looks() const { return looks_; }
+  [[nodiscard]] long bounds() const { return bounds_; }
+  [[nodiscard]] long estimates() const { return estimates_; }
+
+  /// What a checkpoint needs, beside the two fields, to go on bit for bit.
+  [[nodiscard]] std::vector<double> numbers() const;
+  [[nodiscard]] const TensorField<D>& estimated_at() const { return H_estimate_; }
+  [[nodiscard]] const TensorField<D>& checked_at() const { return H_check_; }
+  static constexpr std::size_t number_count = 16;
+  /// Entries as `numbers` and the fields gave them.
+  void restore(const std::vector<double>& numbers, const std::vector<double>& estimated_at,
+               const std::vector<double>& checked_at);
+
+ private:
+  /// γ max_s λ_max(A_s − A_s(estimate)), at most that [1/s²].
+  [[nodiscard]] double stiffening(const TensorField<D>& H) const;
+  [[nodiscard]] double share_of_estimate(double added) const;
+  void estimate(const State<D>& state);
+  void check(const State<D>& state);
+
+  const Discretisation<D>& disc_;
+  double safety_;
+  double deformation_;  ///< relative one between two bounds that the safety allows for
+  double gamma_ = 0.0;
+  double first_ = 0.0;  ///< critical step of the first estimate [s]
+  CriticalStep critical_;
+  double limit_ = 0.0;  ///< critical step by the last bound [s]
+  double step_ = 0.0;
+  double price_ = 0.0, waste_ = 0.0,
+         waste_a_step_ = 0.0;  ///< of estimates and without them, in steps
+  TensorField<D> H_estimate_, H_check_;
+  double change_ = 0.0;  ///< relative deformation since the last bound, at the last look
+  long last_look_ = 0, next_look_ = 1;
+  long looks_ = 0, bounds_ = 0, estimates_ = 0;
+};
+
+}  // namespace tlsph

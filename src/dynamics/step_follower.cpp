@@ -1,0 +1,237 @@
+#include "tlsph/dynamics/step_follower.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tlsph/core/parallel.hpp"
+#include "tlsph/linear/krylov.hpp"
+#include "tlsph/materials/kinematics.hpp"
+
+namespace tlsph {
+namespace {
+
+/// A look costs a pass over H. Where nothing moves there is one in so many steps.
+constexpr long longest_interval = 16;
+/// What an estimate costs, in steps. It is made when what the bound may have wasted since the last
+/// one comes to that; where it turns out that nothing was wasted, the next one waits twice as long.
+constexpr double price_of_estimate = 50.0;
+constexpr double worth_it = 1.1;  ///< times the step
+/// The first one is as good as it can be; those of a state that goes on to change need not be.
+constexpr double tolerance_of_estimate = 1e-2;
+/// A relative deformation of this size may have softened the body, which the bound cannot see; it
+/// counts as so much waste.
+constexpr double far = 0.15;
+constexpr double far_waste = 0.25;
+/// No material point deforms by more than this in a step: tangents that are safe at its start must
+/// not be overtaken before its end.
+constexpr double largest_deformation_a_step = 0.1;
+/// Tangents change by about five times the relative deformation, the step by half of that; this is
+/// the share of 1 − safety that one deformation between bounds may take.
+constexpr double deformation_share = 0.2;
+constexpr double smallest_deformation = 1e-3;
+
+/// γ: the operators with the unit tangent, by the same products as K.
+template <int D>
+double unit_stiffness(const Discretisation<D>& disc) {
+  TensorField<D> H = TensorField<D>::Zero(disc.points.size(), D * D);
+  VectorField<D> x = VectorField<D>::Zero(disc.nodes(), D);
+  VectorField<D> y = x;
+  typename GhostGradient<D>::Workspace workspace;
+  if (disc.ghosts) workspace = disc.ghosts->workspace();
+  const std::vector<double> zero(disc.signals.size(), 0.0);
+  const VectorField<D> root = disc.inverse_mass.cwiseSqrt();
+  const auto product = [&](const Eigen::VectorXd& in, Eigen::VectorXd& out) {
+    x = Eigen::Map<const VectorField<D>>(in.data(), disc.nodes(), D).cwiseProduct(root);
+    if (disc.ghosts)
+      disc.ghosts->apply(x, zero, H, workspace);
+    else
+      disc.gradient.gradient(x, H);
+    for (const SignalTerm& term : disc.stress_values) H.data()[term.slot] = 0.0;
+    disc.divergence.divergence(H, y);
+    out = -Eigen::Map<const Eigen::VectorXd>(y.data(), y.size())
+               .cwiseProduct(Eigen::Map<const Eigen::VectorXd>(root.data(), root.size()));
+  };
+  if (disc.adjoint)
+    return largest_eigenvalue(product, x.size(), {.max_steps = 200, .tolerance = 1e-3}).upper_bound;
+  const auto values =
+      arnoldi_eigenvalues(product, x.size(), static_cast<int>(std::min<Index>(x.size(), 120)));
+  return std::abs(values.front());
+}
+
+/// ‖H − H₀‖ ‖F⁻¹‖, the relative deformation between two states of a point.
+template <int D>
+double relative_deformation(const Tensor<D>& H, const Tensor<D>& before) {
+  const Tensor<D> F = deformation_gradient<D>(H);
+  const double J = 1.0 + volume_change<D>(H);
+  return (H - before).norm() * cofactor<D>(F).norm() / std::abs(J);
+}
+
+}  // namespace
+
+template <int D>
+StepFollower<D>::StepFollower(const Discretisation<D>& disc, const State<D>& state, double safety)
+    : disc_(disc),
+      safety_(safety),
+      deformation_(std::max(smallest_deformation, deformation_share * (1.0 - safety))),
+      gamma_(unit_stiffness<D>(disc)),
+      H_estimate_(state.H),
+      H_check_(state.H),
+      last_look_(state.step),
+      next_look_(state.step + 1),
+      estimates_(1) {
+  critical_ = critical_step<D>(disc, state);
+  first_ = critical_.dt;
+  limit_ = first_;
+  price_ = price_of_estimate;
+  step_ = safety * first_;
+}
+
+template <int D>
+double StepFollower<D>::stiffening(const TensorField<D>& H) const {
+  double largest = 0.0;
+  for (const Region<D>& region : disc_.regions)
+    std::visit(
+        [&](const auto& law) {
+          // Gershgorin's discs: no eigenvalue of the difference lies right of them.
+          const auto right = [&](Index k) {
+            const Index s = region.points.empty() ? k : region.points[static_cast<std::size_t>(k)];
+            const Tangent<D> A =
+                law.tangent(tensor_at<D>(H, s)) - law.tangent(tensor_at<D>(H_estimate_, s));
+            double end = 0.0;
+            for (int i = 0; i < D * D; ++i)
+              end = std::max(end, A(i, i) + A.row(i).cwiseAbs().sum() - std::abs(A(i, i)));
+            return end;
+          };
+          largest = std::max(
+              largest,
+              max_rows(region.points.empty() ? H.rows() : static_cast<Index>(region.points.size()),
+                       right));
+        },
+        region.law);
+  return gamma_ * largest;
+}
+
+/// ‖H − H₀‖ ‖F⁻¹‖ at the point that has deformed most.
+template <int D>
+double largest_deformation(const TensorField<D>& H, const TensorField<D>& before) {
+  return max_rows(H.rows(), [&](Index s) {
+    return relative_deformation<D>(tensor_at<D>(H, s), tensor_at<D>(before, s));
+  });
+}
+
+/// s with (s Δt)² (ω² + added) = 4 where Δt = 2/ω; with a viscosity, whose share of Δt²K + 2ΔtC
+/// falls with s only, 4s + (s Δt)² added = 4.
+template <int D>
+double StepFollower<D>::share_of_estimate(double added) const {
+  const double dt = std::min(critical_.dt, first_);
+  const double c = dt * dt * added;
+  if (disc_.viscosity.nonZeros() == 0) return 1.0 / std::sqrt(1.0 + 0.25 * c);
+  return 2.0 / (1.0 + std::sqrt(1.0 + c));
+}
+
+template <int D>
+double StepFollower<D>::bound(const State<D>& state) const {
+  return std::min(critical_.dt, first_) * share_of_estimate(stiffening(state.H));
+}
+
+/// A body that has softened may stiffen again faster than it is looked at (beyond the limit of
+/// hyperbolicity of its law, nothing limits the step one moment and the first one does the next),
+/// so no step is longer than the first.
+template <int D>
+void StepFollower<D>::estimate(const State<D>& state) {
+  ++estimates_;
+  const auto critical = critical_step_if_any<D>(disc_, state, tolerance_of_estimate);
+  if (critical) critical_ = *critical;
+  if (!critical || !(critical_.dt < first_)) critical_.dt = first_;
+  H_estimate_ = state.H;
+  limit_ = critical_.dt;
+}
+
+template <int D>
+void StepFollower<D>::check(const State<D>& state) {
+  ++bounds_;
+  const double share = share_of_estimate(stiffening(state.H));
+  limit_ = std::min(critical_.dt, first_) * share;
+  waste_a_step_ = std::max(1.0 / share - 1.0,
+                           largest_deformation<D>(state.H, H_estimate_) > far ? far_waste : 0.0);
+  if (waste_ > price_) {
+    const double before = limit_;
+    estimate(state);
+    price_ = limit_ > worth_it * before ? std::max(0.5 * price_, price_of_estimate) : 2.0 * price_;
+    waste_ = 0.0;
+    waste_a_step_ = 0.0;
+  }
+  H_check_ = state.H;
+  change_ = 0.0;
+}
+
+template <int D>
+bool StepFollower<D>::follow(const State<D>& state) {
+  if (state.step < next_look_) return false;
+  ++looks_;
+  const double change = largest_deformation<D>(state.H, H_check_);
+  const long quiet = std::max(1L, state.step - last_look_);
+  const double rate = std::max(change - change_, 0.0) / static_cast<double>(quiet);
+  change_ = change;
+  waste_ += waste_a_step_ * static_cast<double>(quiet);
+  if (change >= 0.5 * deformation_ || waste_ > price_) check(state);
+  const double before = step_;
+  step_ = safety_ * limit_;
+  if (rate > 0.0) step_ = std::min(step_, state.last_dt * largest_deformation_a_step / rate);
+  // Until half the allowance is used up, and not much longer than it has been quiet.
+  const double wanted = rate > 0.0 ? 0.5 * deformation_ / rate : 1e9;
+  const long interval = std::clamp(static_cast<long>(std::min(wanted, 1e6)), 1L,
+                                   std::min(longest_interval, 2 * quiet));
+  last_look_ = state.step;
+  next_look_ = state.step + interval;
+  return step_ != before;
+}
+
+template <int D>
+std::vector<double> StepFollower<D>::numbers() const {
+  return {gamma_,
+          first_,
+          critical_.dt,
+          critical_.scaled,
+          critical_.growth.value_or(std::nan("")),
+          limit_,
+          step_,
+          change_,
+          price_,
+          waste_,
+          waste_a_step_,
+          static_cast<double>(last_look_),
+          static_cast<double>(next_look_),
+          static_cast<double>(looks_),
+          static_cast<double>(bounds_),
+          static_cast<double>(estimates_)};
+}
+
+template <int D>
+void StepFollower<D>::restore(const std::vector<double>& n, const std::vector<double>& estimated_at,
+                              const std::vector<double>& checked_at) {
+  gamma_ = n.at(0);
+  first_ = n.at(1);
+  critical_.dt = n.at(2);
+  critical_.scaled = n.at(3);
+  critical_.growth.reset();
+  if (!std::isnan(n.at(4))) critical_.growth = n.at(4);
+  limit_ = n.at(5);
+  step_ = n.at(6);
+  change_ = n.at(7);
+  price_ = n.at(8);
+  waste_ = n.at(9);
+  waste_a_step_ = n.at(10);
+  last_look_ = static_cast<long>(n.at(11));
+  next_look_ = static_cast<long>(n.at(12));
+  looks_ = static_cast<long>(n.at(13));
+  bounds_ = static_cast<long>(n.at(14));
+  estimates_ = static_cast<long>(n.at(15));
+  std::ranges::copy(estimated_at, H_estimate_.data());
+  std::ranges::copy(checked_at, H_check_.data());
+}
+
+template class StepFollower<1>;
+template class StepFollower<2>;
+
+}  // namespace tlsph

@@ -1,0 +1,243 @@
+#include "perturbed.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "tlsph/analysis/motion_growth.hpp"
+#include "tlsph/analysis/spectrum.hpp"
+#include "tlsph/core/error.hpp"
+#include "tlsph/dynamics/ledger.hpp"
+#include "tlsph/dynamics/linearised.hpp"
+
+namespace tlsph {
+namespace {
+
+constexpr double displacement = 1e-10;  ///< of the perturbation [Δ]
+constexpr double velocity = 1e-3;       ///< of the run that keeps books [c_p]
+constexpr long usual_steps = 1000;
+constexpr long most_steps = 20000;
+constexpr long book_steps = 300;
+constexpr long rest_steps = 200;
+constexpr double linear_until = 1e7;  ///< times the perturbation: strains of about a thousandth
+constexpr double overflow = 1e13;
+
+/// Uniform in [−1, 1) at every degree of freedom that is free.
+template <int D>
+VectorField<D> random_field(const Discretisation<D>& disc) {
+  std::mt19937_64 bits(7);
+  VectorField<D> field(disc.nodes(), D);
+  for (Index k = 0; k < field.size(); ++k) {
+    const double value = std::ldexp(static_cast<double>(bits() >> 11), -52) - 1.0;
+    field.data()[k] = disc.inverse_mass.data()[k] == 0.0 ? 0.0 : value;
+  }
+  return field;
+}
+
+/// √(xᵀ M x).
+template <int D>
+double norm(const Discretisation<D>& disc, const VectorField<D>& x) {
+  return std::sqrt(disc.mass.dot(x.rowwise().squaredNorm()));
+}
+
+/// A run about the uniform state, its forces balanced.
+template <int D>
+class Balanced {
+ public:
+  Balanced(const Specimen<D>& specimen, double dt)
+      : disc_(specimen.disc),
+        base_(specimen.state),
+        state_(make_state<D>(disc_, base_.u, base_.v)),
+        dt_(dt) {
+    state_.last_dt = dt;
+  }
+  State<D>& state() { return state_; }
+  /// Forces at the present state; NumericalError when it is lost.
+  void forces() {
+    evaluate<D>(disc_, state_);
+    state_.f -= base_.f;
+  }
+  void start() { tlsph::start<D>(disc_, state_, dt_); }
+  void advance() { tlsph::advance<D>(disc_, state_, dt_, state_.time + dt_); }
+  /// Kinetic and elastic energy, the dead loads' potential included; after `forces`.
+  [[nodiscard]] double energy() const {
+    const VectorField<D> next = state_.v + dt_ * disc_.inverse_mass.cwiseProduct(state_.f);
+    const double kinetic = 0.5 * disc_.mass.dot(state_.v.cwiseProduct(next).rowwise().sum());
+    return kinetic + elastic_energy<D>(disc_, state_) +
+           base_.f.cwiseProduct(state_.u - base_.u).sum();
+  }
+
+ private:
+  const Discretisation<D>& disc_;
+  const State<D>& base_;
+  State<D> state_;
+  double dt_;
+};
+
+long steps_to_see(double growth) {
+  if (!(growth > 0.0) || growth * static_cast<double>(most_steps) < 15.0) return usual_steps;
+  return std::clamp(static_cast<long>(35.0 / growth), 200L, most_steps);
+}
+
+/// Slope of ln(amplitude) over the steps while it grows and small displacements stay small.
+double growth_of(const std::vector<double>& amplitude) {
+  double largest = 0.0;
+  std::vector<double> step;
+  for (std::size_t n = 0; n < amplitude.size(); ++n) {
+    step.push_back(static_cast<double>(n));
+    largest = std::max(largest, amplitude[n]);
+  }
+  if (largest < 10.0) return 0.0;
+  // The last three decades, where the fastest mode has left the others behind; more of the run if
+  // that takes it less than three steps.
+  const double high = std::min(linear_until, 0.9 * largest);
+  const double late = growth_rate(step, amplitude, std::max(1.5, 1e-3 * high), high);
+  return std::isnan(late) ? growth_rate(step, amplitude, 1.5, high) : late;
+}
+
+/// Takes the translations and the rotation out of a velocity field.
+template <int D>
+void remove_rigid_motion(const Discretisation<D>& disc, VectorField<D>& v) {
+  const auto remove = [&](const VectorField<D>& mode) {
+    const double share = disc.mass.dot(mode.cwiseProduct(v).rowwise().sum()) /
+                         disc.mass.dot(mode.rowwise().squaredNorm());
+    v -= share * mode;
+  };
+  for (int i = 0; i < D; ++i) {
+    VectorField<D> mode = VectorField<D>::Zero(disc.nodes(), D);
+    mode.col(i).setOnes();
+    remove(mode);
+  }
+  if constexpr (D == 2) {
+    const Vector<2> centre = disc.particles.X.transpose() * disc.mass / disc.mass.sum();
+    VectorField<2> mode(disc.nodes(), 2);
+    mode.col(0) = -(disc.particles.X.col(1).array() - centre[1]);
+    mode.col(1) = disc.particles.X.col(0).array() - centre[0];
+    remove(mode);
+  }
+}
+
+}  // namespace
+
+template <int D>
+PerturbedRun perturbed_run(const Specimen<D>& specimen, const StateSpectrum& spectrum, double dt,
+                           const std::string& label) {
+  const Discretisation<D>& disc = specimen.disc;
+  PerturbedRun run;
+  run.label = label;
+  run.ratio = dt / spectrum.critical();
+  if (disc.viscosity.nonZeros() == 0) run.expected = growth_per_step(spectrum.squares, dt);
+  Balanced<D> body(specimen, dt);
+  const VectorField<D> push = displacement * disc.spacing * random_field<D>(disc);
+  body.state().u += push;
+  // √(2E₀) of the perturbation if all of it were in the fastest mode.
+  const double unit = 2.0 / spectrum.limit * norm<D>(disc, push);
+  const double growth = dt > spectrum.limit ? std::max(run.expected, 0.02) : run.expected;
+  const long last = steps_to_see(growth);
+  std::vector<double> amplitude;
+  try {
+    for (run.steps = 0; run.steps < last; ++run.steps) {
+      body.forces();
+      if (run.steps == 0) body.start();
+      body.advance();
+      amplitude.push_back(norm<D>(disc, body.state().v) / unit);
+      if (!(amplitude.back() < overflow)) break;
+    }
+    body.forces();
+  } catch (const NumericalError&) {
+    run.lost_at = body.state().step;
+  }
+  run.amplitude = *std::ranges::max_element(amplitude);
+  run.seen = growth_of(amplitude);
+  return run;
+}
+
+template <int D>
+double energy_drift(const Specimen<D>& specimen, double dt) {
+  const Discretisation<D>& disc = specimen.disc;
+  Balanced<D> body(specimen, dt);
+  body.state().v = velocity * disc.wave_speed() * random_field<D>(disc);
+  const double first = 0.5 * std::pow(norm<D>(disc, body.state().v), 2);
+  const bool damped = disc.viscosity.nonZeros() > 0;
+  double start = 0.0;
+  double drift = 0.0;
+  for (long step = 0; step <= book_steps; ++step) {
+    body.forces();
+    if (step == 0) body.start();
+    if (step % 10 == 0) {
+      const double energy = body.energy();
+      if (step == 0) start = energy;
+      drift = std::max(drift, damped ? energy - start : std::abs(energy - start));
+    }
+    body.advance();
+  }
+  return drift / first;
+}
+
+template <int D>
+double unrest(const Specimen<D>& specimen, double dt) {
+  const Discretisation<D>& disc = specimen.disc;
+  State<D> state = make_state<D>(disc, specimen.state.u, specimen.state.v);
+  double largest = 0.0;
+  try {
+    for (long step = 0; step < rest_steps; ++step) {
+      evaluate<D>(disc, state);
+      if (step == 0) tlsph::start<D>(disc, state, dt);
+      tlsph::advance<D>(disc, state, dt, state.time + dt);
+      largest = std::max(largest, state.v.rowwise().norm().maxCoeff());
+    }
+  } catch (const NumericalError&) {
+    return std::numeric_limits<double>::infinity();
+  }
+  return largest / disc.wave_speed();
+}
+
+/// The mode of least energy that is no rigid motion, as a velocity of unit norm.
+template <int D>
+VectorField<D> lowest_motion(const Specimen<D>& specimen) {
+  const Discretisation<D>& disc = specimen.disc;
+  constexpr Index rigid = D * (D + 1) / 2;
+  LinearisedForces<D> forces(disc, specimen.state);
+  const Modes modes = lowest_modes(forces.dynamical_matrix(), rigid + 1);
+  // Without energy they come in any mixture: one of them is left when rigid motion is taken off.
+  VectorField<D> best = VectorField<D>::Zero(disc.nodes(), D);
+  for (Index k = 0; k < modes.vectors.cols(); ++k) {
+    VectorField<D> v =
+        Eigen::Map<const VectorField<D>>(modes.vectors.col(k).data(), disc.nodes(), D);
+    v = v.cwiseProduct(disc.inverse_mass.cwiseSqrt());
+    remove_rigid_motion<D>(disc, v);
+    if (norm<D>(disc, v) > norm<D>(disc, best)) best = v;
+  }
+  return best / norm<D>(disc, best);
+}
+
+template <int D>
+double free_excursion(const Specimen<D>& specimen, double dt, double omega) {
+  const Discretisation<D>& disc = specimen.disc;
+  Balanced<D> body(specimen, dt);
+  body.state().v =
+      displacement * disc.wave_speed() * std::sqrt(disc.mass.sum()) * lowest_motion<D>(specimen);
+  const double unit = norm<D>(disc, body.state().v) / omega;
+  const auto last = static_cast<long>(std::ceil(4.0 * std::numbers::pi / (omega * dt)));
+  double largest = 0.0;
+  for (long step = 0; step < last; ++step) {
+    body.forces();
+    if (step == 0) body.start();
+    body.advance();
+    largest = std::max(largest, norm<D>(disc, body.state().u - specimen.state.u) / unit);
+  }
+  return largest;
+}
+
+#define TLSPH_INSTANTIATE(D)                                                               \
+  template PerturbedRun perturbed_run<D>(const Specimen<D>&, const StateSpectrum&, double, \
+                                         const std::string&);                              \
+  template double energy_drift<D>(const Specimen<D>&, double);                             \
+  template double unrest<D>(const Specimen<D>&, double);                                   \
+  template double free_excursion<D>(const Specimen<D>&, double, double);
+TLSPH_INSTANTIATE(1)
+TLSPH_INSTANTIATE(2)
+#undef TLSPH_INSTANTIATE
+
+}  // namespace tlsph

@@ -1,0 +1,122 @@
+#include "waves.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tlsph/dynamics/linearised.hpp"
+#include "tlsph/simulation/builder.hpp"
+
+namespace tlsph {
+namespace {
+
+constexpr int radial = 32;
+constexpr int angular = 12;
+constexpr int long_wave = radial / 4;  ///< 8 spacings a wave
+constexpr double stabiliser_reach =
+    3.2;  ///< of a pair stabiliser, twice its own gradient's and pairs
+
+/// Nodes a side of the middle such that no operator of the middle sees the boundary.
+int reach_of(const Scene& scene) {
+  const double operators = scene.kernel.support.value_or(1.0);
+  return static_cast<int>(std::ceil(2.0 * std::max(operators, stabiliser_reach))) + 2;
+}
+
+template <int D>
+Discretisation<D> large_lattice(const Subject& subject, const StateKey& key) {
+  const int reach = reach_of(scene_of(subject, key, Support::free));
+  const double side = 2.0 * reach * subject.spacing;
+  Subject large = subject;
+  large.lower.assign(D, 0.0);
+  large.upper.assign(D, side);
+  large.box = true;
+  const std::string shape =
+      D == 1 ? fmt::format("body.shape={{interval=[0.0, {:.17g}]}}", side)
+             : fmt::format("body.shape={{box=[[0.0, 0.0], [{0:.17g}, {0:.17g}]]}}", side);
+  large.overrides.insert(
+      large.overrides.end(),
+      {shape, fmt::format("body.spacing={:.17g}", subject.spacing), "body.tags=[]"});
+  return build<D>(scene_of(large, key, Support::sliding));
+}
+
+}  // namespace
+
+template <int D>
+LatticeSymbol<D> lattice_symbol(const Discretisation<D>& disc, const State<D>& state) {
+  const LatticeFrame<D>& frame = *disc.particles.frame;
+  std::array<int, D> middle;
+  for (std::size_t a = 0; a < D; ++a) middle[a] = frame.counts[a] / 2;
+  const int centre = frame.index(middle);
+  LinearisedForces<D> forces(disc, state);
+  std::array<VectorField<D>, D> answers;
+  for (std::size_t j = 0; j < D; ++j) {
+    VectorField<D> push = VectorField<D>::Zero(disc.nodes(), D);
+    push(centre, static_cast<Index>(j)) = 1.0;
+    answers[j] = push;
+    forces.product(push, answers[j]);
+  }
+  LatticeSymbol<D> symbol;
+  for (Index q = 0; q < disc.nodes(); ++q) {
+    Tensor<D> block;
+    for (int i = 0; i < D; ++i)
+      for (int j = 0; j < D; ++j)
+        block(i, j) = -answers[static_cast<std::size_t>(j)](q, i) / disc.mass[centre];
+    if (block.squaredNorm() == 0.0) continue;
+    symbol.offset.push_back((disc.particles.X.row(q) - disc.particles.X.row(centre)).transpose());
+    symbol.block.push_back(block);
+  }
+  return symbol;
+}
+
+template <int D>
+WaveRow wave_row(const Subject& subject, const Method& method, double poisson) {
+  const StateKey key{method, 0, 0.0, poisson, 1.0};
+  const auto disc = large_lattice<D>(subject, key);
+  const State<D> state = make_state<D>(disc, VectorField<D>::Zero(disc.nodes(), D),
+                                       VectorField<D>::Zero(disc.nodes(), D));
+  const LatticeSymbol<D> symbol = lattice_symbol<D>(disc, state);
+  const Tangent<D> A = tangent<D>(disc.regions.front().law, Tensor<D>::Zero());
+  const double density = disc.regions.front().density;
+  std::array<double, D> exact;
+  exact[D - 1] = std::sqrt(A(0, 0) / density);
+  if constexpr (D == 2) exact[0] = std::sqrt(A(1, 1) / density);
+  const auto speeds = phase_speeds<D>(symbol, disc.spacing, exact, radial, angular);
+
+  WaveRow row;
+  row.method = method.name;
+  row.poisson = poisson;
+  row.zero_energy = zero_energy_waves<D>(symbol, disc.particles.spacings, exact[D - 1]);
+  std::array<double, D> worst{}, least, most{};
+  least.fill(std::numeric_limits<double>::infinity());
+  row.slowest = std::numeric_limits<double>::infinity();
+  for (std::size_t n = 0; n < speeds.k.size(); ++n) {
+    std::vector<double> line(speeds.k[n].begin(), speeds.k[n].end());
+    const bool long_one = static_cast<int>(n % radial) + 1 == long_wave;
+    for (std::size_t i = 0; i < D; ++i) {
+      const double relative = speeds.relative[n][i];
+      line.push_back(relative);
+      row.slowest = std::min(row.slowest, relative);
+      if (!long_one) continue;
+      worst[i] = std::max(worst[i], std::abs(relative - 1.0));
+      least[i] = std::min(least[i], relative);
+      most[i] = std::max(most[i], relative);
+    }
+    row.map.push_back(std::move(line));
+  }
+  row.longitudinal = worst[D - 1];
+  row.transverse = D == 2 ? worst[0] : not_known;
+  row.anisotropy = 0.0;
+  for (std::size_t i = 0; i < D; ++i) row.anisotropy = std::max(row.anisotropy, most[i] - least[i]);
+  if (D == 1) row.anisotropy = not_known;
+  return row;
+}
+
+#define TLSPH_INSTANTIATE(D)                                                              \
+  template LatticeSymbol<D> lattice_symbol<D>(const Discretisation<D>&, const State<D>&); \
+  template WaveRow wave_row<D>(const Subject&, const Method&, double);
+TLSPH_INSTANTIATE(1)
+TLSPH_INSTANTIATE(2)
+#undef TLSPH_INSTANTIATE
+
+}  // namespace tlsph
