@@ -65,19 +65,34 @@ void add_converge(CLI::App& app, CommandLine& line) {
   auto* command = app.add_subcommand(
       "converge", "run a scene at several spacings: errors and the orders they fall with");
   add_scene(*command, line);
+  const auto list = [&](const char* name, auto& values, const char* text, const char* type) {
+    return command->add_option(name, values, text)
+        ->type_name(type)
+        ->delimiter(',')
+        ->allow_extra_args(false);
+  };
+  auto* sizes = command->add_option_group("sizes");
+  sizes->add_option(list(
+      "--spacing", line.spacings,
+      "spacings [m], at least two; three where the scene names no exact solution", "A,B,C[,...]"));
+  sizes->add_option(list("--cloud", line.clouds,
+                         "clouds of particles instead (body.cloud), sized by their number",
+                         "A.csv,B.csv[,...]"));
+  sizes->require_option(1);
+  list("--formulation", line.formulations, "formulations to compare; default: the scene's",
+       "A[,B,...]");
   command
-      ->add_option("--spacing", line.spacings,
-                   "spacings [m], at least two; three where the scene names no exact solution")
-      ->type_name("A,B,C[,...]")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->required();
-  command
-      ->add_option("--formulation", line.formulations,
-                   "formulations to compare; default: the scene's")
-      ->type_name("A[,B,...]")
-      ->delimiter(',')
+      ->add_option("--over", line.over,
+                   "another key of the scene to compare, e.g. kernel.support=2.1,2.6; may be "
+                   "repeated, each value with each")
+      ->type_name("KEY=A,B[,...]")
       ->allow_extra_args(false);
+  list("--seed", line.seeds,
+       "run every one with each body.seed: median, worst and spread of random particles",
+       "A[,B,...]");
+  list("--value", line.values,
+       "number to read off a probe and to extrapolate: <probe>.<column>.<end|max|min|peak|period>",
+       "NAME[,...]");
   add_out(*command, line, "; default: out/<name of the scene>-converge");
   add_threads(*command, line);
   add_quiet(*command, line);

@@ -2,6 +2,7 @@
 /// \file
 /// What the user typed, as plain data: the only door to the command-line library.
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -21,6 +22,10 @@ struct CommandLine {
   bool resume = false;
   std::vector<double> spacings;           // converge
   std::vector<std::string> formulations;  // converge; empty: the scene's
+  std::vector<std::string> over;          // converge, key=a,b,c
+  std::vector<std::uint64_t> seeds;       // converge
+  std::vector<std::string> clouds;        // converge
+  std::vector<std::string> values;        // converge
   std::vector<std::string> cases;         // validate; empty: all
   bool quick = false;                     // validate
 };

@@ -87,8 +87,17 @@ ExitCode converge_scene(const CommandLine& line) {
       print(run_line(row));
     };
 
-  const ConvergenceTable table =
-      converge({line.scene, line.overrides, line.spacings, line.formulations}, options);
+  ConvergenceRequest request;
+  request.scene = line.scene;
+  request.overrides = line.overrides;
+  request.spacings = line.spacings;
+  request.formulations = line.formulations;
+  for (const std::string& text : line.over) request.over.push_back(parse_variation(text));
+  request.seeds = line.seeds;
+  request.clouds = line.clouds;
+  request.values = line.values;
+
+  const ConvergenceTable table = converge(request, options);
 
   display.reset();
   const Figure figure = draw_figure("convergence", out / "convergence.csv");
