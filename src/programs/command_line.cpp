@@ -99,6 +99,35 @@ void add_converge(CLI::App& app, CommandLine& line) {
   command->callback([&line] { line.command = Command::converge; });
 }
 
+void add_chart(CLI::App& app, CommandLine& line) {
+  auto* command = app.add_subcommand(
+      "chart", "speed against accuracy: many ways to model a scene, and the front of the best");
+  add_scene(*command, line);
+  command->add_option("--budget", line.budget, "wall time of the study, e.g. 120s or 10min")
+      ->transform(CLI::AsNumberWithUnit(
+          std::map<std::string, double>{{"s", 1.0}, {"min", 60.0}, {"h", 3600.0}},
+          CLI::AsNumberWithUnit::UNIT_OPTIONAL, "TIME"))
+      ->capture_default_str();
+  const auto list = [&](const char* name, auto& values, const char* text, const char* type) {
+    return command->add_option(name, values, text)
+        ->type_name(type)
+        ->delimiter(',')
+        ->allow_extra_args(false);
+  };
+  list("--value", line.values,
+       "number to read off a probe, <probe>.<column>.<end|max|min|peak|period>, and its answer; "
+       "without one it is extrapolated",
+       "NAME[=ANSWER][,...]");
+  list("--spacing", line.spacings, "spacings [m]; default: 4, 2, 1, 1/2 ... of the scene's",
+       "A[,B,...]");
+  list("--formulation", line.formulations, "only these formulations", "A[,B,...]");
+  list("--peer", line.peers, "other programs beside it, scripts of validation/peers", "A[,B,...]");
+  add_out(*command, line, "; default: out/<name of the scene>-chart");
+  add_threads(*command, line);
+  add_quiet(*command, line);
+  command->callback([&line] { line.command = Command::chart; });
+}
+
 void add_validate(CLI::App& app, CommandLine& line) {
   auto* command = app.add_subcommand(
       "validate", "run problems of the literature and hold what comes out against what must");
@@ -122,6 +151,7 @@ std::optional<CommandLine> parse_command_line(int argc, const char* const* argv)
   add_plan(app, line);
   add_export(app, line);
   add_converge(app, line);
+  add_chart(app, line);
   add_validate(app, line);
   app.add_subcommand("scene-reference", "every key of a scene: type, unit, default, range")
       ->callback([&line] { line.command = Command::scene_reference; });

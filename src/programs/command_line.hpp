@@ -10,7 +10,7 @@
 
 namespace tlsph {
 
-enum class Command { run, plan, export_operators, converge, validate, scene_reference };
+enum class Command { run, plan, export_operators, converge, validate, chart, scene_reference };
 
 struct CommandLine {
   Command command = Command::run;
@@ -20,12 +20,14 @@ struct CommandLine {
   int threads = 0;                     // 0: as many as pay
   bool quiet = false;
   bool resume = false;
-  std::vector<double> spacings;           // converge
+  std::vector<double> spacings;           // converge, chart
   std::vector<std::string> formulations;  // converge; empty: the scene's
   std::vector<std::string> over;          // converge, key=a,b,c
   std::vector<std::uint64_t> seeds;       // converge
   std::vector<std::string> clouds;        // converge
-  std::vector<std::string> values;        // converge
+  std::vector<std::string> values;        // converge, chart
+  std::vector<std::string> peers;         // chart
+  double budget = 120.0;                  // chart [s]
   std::vector<std::string> cases;         // validate; empty: all
   bool quick = false;                     // validate
 };

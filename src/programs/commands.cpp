@@ -15,6 +15,7 @@
 #include "tlsph/core/error.hpp"
 #include "tlsph/scene/reader.hpp"
 #include "tlsph/simulation/simulation.hpp"
+#include "tlsph/studies/chart.hpp"
 #include "tlsph/studies/converge.hpp"
 #include "tlsph/studies/figure.hpp"
 #include "tlsph/studies/validation.hpp"
@@ -101,7 +102,7 @@ ExitCode converge_scene(const CommandLine& line) {
 
   display.reset();
   const Figure figure = draw_figure("convergence", out / "convergence.csv");
-  if (!line.quiet) print(fmt::format("\n{}\n{}", table.text(), converge_report(out, figure)));
+  if (!line.quiet) print(fmt::format("\n{}\n{}", table.text(), results_report(out, figure)));
   if (table.interrupted) return interruption();
   const auto failed = std::ranges::count_if(
       table.rows, [](const ConvergenceRow& row) { return !row.failure.empty(); });
@@ -110,6 +111,32 @@ ExitCode converge_scene(const CommandLine& line) {
                                      (out / "convergence.csv").string()),
                          0.0, -1);
   return ExitCode::done;
+}
+
+ExitCode chart_scene(const CommandLine& line) {
+  const std::filesystem::path out =
+      line.out.empty() ? "out" / line.scene.stem().concat("-chart") : line.out;
+  ChartRequest request;
+  request.scene = line.scene;
+  request.overrides = line.overrides;
+  request.budget = line.budget;
+  request.spacings = line.spacings;
+  request.formulations = line.formulations;
+  for (const std::string& text : line.values) request.values.push_back(parse_chart_value(text));
+  request.peers = line.peers;
+  ProgressDisplay display(stdout, ProgressDisplay::style_for(stdout, line.quiet));
+  ChartOptions options;
+  options.out = out;
+  options.threads = std::max(1, line.threads);
+  options.stop_requested = catch_interrupts();
+  options.progress = [&](const std::string& what, double share) { display.show(share, what); };
+
+  const ChartTable table = chart(request, options);
+
+  display.clear();
+  const Figure figure = draw_figure("chart", out / "chart.json");
+  if (!line.quiet) print(fmt::format("{}\n{}", table.text(), results_report(out, figure)));
+  return table.interrupted ? interruption() : ExitCode::done;
 }
 
 ExitCode validate_cases(const CommandLine& line) {
@@ -155,6 +182,8 @@ ExitCode execute(const CommandLine& line) {
       return export_scene(line);
     case Command::converge:
       return converge_scene(line);
+    case Command::chart:
+      return chart_scene(line);
     case Command::validate:
       return validate_cases(line);
     case Command::scene_reference:

@@ -34,7 +34,7 @@ std::string run_line(const ConvergenceRow& row) {
   return text + fmt::format("{} steps in {:.3g} s\n", row.steps, row.wall_seconds);
 }
 
-std::string converge_report(const std::filesystem::path& out, const Figure& figure) {
+std::string results_report(const std::filesystem::path& out, const Figure& figure) {
   const std::string text = fmt::format("results in {}", out.string());
   if (figure.drawn) return text + fmt::format(", drawn in {}\n", figure.file.string());
   return text + fmt::format("\nno figure; draw it with: {}\n", figure.command);

@@ -17,8 +17,8 @@ namespace tlsph {
 /// One run of a study, as it ends.
 [[nodiscard]] std::string run_line(const ConvergenceRow& row);
 
-/// Where the files of `converge` are, and how to draw the figure if that did not work.
-[[nodiscard]] std::string converge_report(const std::filesystem::path& out, const Figure& figure);
+/// Where the files of a study are, and how to draw the figure if that did not work.
+[[nodiscard]] std::string results_report(const std::filesystem::path& out, const Figure& figure);
 
 /// One case of `validate`, as it ends.
 [[nodiscard]] std::string case_line(const CaseResult& result);
