@@ -8,13 +8,13 @@
 
 #include "chart_families.hpp"
 #include "chart_plan.hpp"
-#include "chart_search.hpp"
 #include "peers.hpp"
 #include "probe_values.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/io/files.hpp"
 #include "tlsph/scene/reader.hpp"
 #include "tlsph/simulation/version.hpp"
+#include "tlsph/studies/chart_search.hpp"
 #include "tlsph/studies/converge.hpp"
 
 namespace tlsph {
@@ -32,6 +32,8 @@ constexpr double short_run = 0.02;  // [s]
 constexpr std::size_t first_repetitions = 3, repetitions = 5;
 /// Finer spacings at which a family is tried that the coarsest does not allow.
 constexpr std::size_t later_starts = 2;
+/// Share of a value that its change from one spacing to the next may be to count as noise.
+constexpr double settled = 1e-5;
 
 /// A family on its way down the ladder.
 struct Contender {
@@ -99,14 +101,25 @@ class ChartStudy {
     options.stop_requested = options_.stop_requested;
     options.progress = [&](const Progress&) { show("extrapolating the answer"); };
     for (const ConvergenceValue& value : converge(request, options).values) {
-      if (!std::isfinite(value.limit) || value.limit == 0.0)
-        throw InputError({"--value " + value.name, 0, 0, ""},
-                         fmt::format("does not settle at the spacings {:.4g}, {:.4g} and {:.4g}: "
-                                     "give its answer, {}=…",
-                                     2.0 * h, h, 0.5 * h, value.name));
       const auto at = std::ranges::find(table_.quantities, value.name);
-      table_.answers[static_cast<std::size_t>(at - table_.quantities.begin())] = value.limit;
+      table_.answers[static_cast<std::size_t>(at - table_.quantities.begin())] = limit_of(value);
     }
+  }
+
+  /// The extrapolated value, or the finest where the last two agree so well that their difference
+  /// is noise.
+  [[nodiscard]] double limit_of(const ConvergenceValue& value) const {
+    if (std::isfinite(value.limit) && value.limit != 0.0) return value.limit;
+    if (const std::size_t n = value.medians.size(); n >= 3) {
+      const double finest = value.medians[n - 1];
+      if (finest != 0.0 && std::abs(finest - value.medians[n - 2]) <= settled * std::abs(finest))
+        return finest;
+    }
+    const double h = plan_.scene.body.spacing;
+    throw InputError({"--value " + value.name, 0, 0, ""},
+                     fmt::format("does not settle at the spacings {:.4g}, {:.4g} and {:.4g}: give "
+                                 "its answer, {}=…",
+                                 2.0 * h, h, 0.5 * h, value.name));
   }
 
   /// A peer at one spacing after the other for half of its time; then its times once more.

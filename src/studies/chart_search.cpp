@@ -1,4 +1,4 @@
-#include "chart_search.hpp"
+#include "tlsph/studies/chart_search.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -8,8 +8,9 @@
 namespace tlsph {
 namespace {
 
-/// Orders a prediction believes: below, refinement would never end, above, it is luck.
-constexpr double least_order = 0.5, largest_order = 4.0;
+/// Orders a prediction believes. The least is hopeful, because coarse spacings often show less than
+/// what comes; a family that disappoints is too far behind the front for hope to matter.
+constexpr double least_order = 1.5, largest_order = 4.0;
 /// No scheme here has a higher one.
 constexpr double best_order = 3.0;
 /// A run nothing is as fast as promises so much: to open a new end of the front.

@@ -7,7 +7,7 @@
 #include <iterator>
 #include <map>
 
-#include "chart_search.hpp"
+#include "tlsph/studies/chart_search.hpp"
 #include "tlsph/io/csv.hpp"
 #include "tlsph/io/files.hpp"
 #include "tlsph/io/json.hpp"

@@ -105,7 +105,7 @@ def panel(axes, q, name, points):
     ranges(axes, front, q)
     axes.set_xscale("log")
     axes.set_yscale("log")
-    axes.set_title(name.replace("_", " "), loc="left")
+    axes.set_title(name, loc="left")
     axes.set_xlabel("stepping time [s]")
     axes.margins(x=0.12, y=0.12)
     explain(axes, q, front)
