@@ -33,7 +33,7 @@ class CommandLine(ProgramTest):
         done = self.tlsph("--help")
 
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-        for command in ("run", "plan", "export", "converge", "validate", "scene-reference"):
+        for command in ("run", "plan", "export", "converge", "chart", "validate", "scene-reference"):
             self.assertRegex(done.stdout, rf"(?m)^  {command} ")
 
     def test_help_of_a_command(self):

@@ -39,7 +39,8 @@ class Mesh {
  public:
   static constexpr int C = 1 << D;
 
-  explicit Mesh(const Problem& p) : lambda(p.lambda), mu(p.mu), linear(p.law == "linear-elastic"), hourglass(p.hourglass) {
+  explicit Mesh(const Problem& p)
+      : lambda(p.lambda), mu(p.mu), linear(p.law == "linear-elastic"), hourglass(p.hourglass) {
     inverse_mass.assign(p.X.size(), 0.0);
     for (int e = 0; e < p.elements; ++e) {
       if (e % W == 0) blocks.emplace_back();  // zeroed: a lane without element has no B and no force
@@ -120,7 +121,7 @@ class Mesh {
     }
     for (int q = 0; q < C; ++q) {
       b.node[q][l] = at[q];
-      for (int i = 0; i < D; ++i) inverse_mass[at[q] * D + i] += p.density * b.volume[l] / C;  // mass, till it is inverted
+      for (int i = 0; i < D; ++i) inverse_mass[at[q] * D + i] += p.density * b.volume[l] / C;  // mass, to be inverted
     }
   }
 

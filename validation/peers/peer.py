@@ -4,9 +4,9 @@
 
 prints one line of JSON: peer, scene, n, spacing, particles, steps, stepping_seconds, repetitions, errors,
 quantities, note. `n` counts cells across the body, `stepping_seconds` is the time of the steps alone,
-without set-up and output, on one thread, the median of the `repetitions`. `errors` are relative, by name; `quantities` is the same as a list of {name,
-error, value}, value null for fields. Exit code 3 if the program behind the peer is not installed or
-cannot run the scene, with the reason on stderr.
+without set-up and output, on one thread, the median of the `repetitions`. `errors` are relative, by name;
+`quantities` is the same as a list of {name, error, value}, value null for fields. Exit code 3 if the program
+behind the peer is not installed or cannot run the scene, with the reason on stderr.
 """
 
 import argparse
