@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "chart_answers.hpp"
 #include "chart_families.hpp"
 #include "chart_plan.hpp"
 #include "peers.hpp"
@@ -15,7 +16,6 @@
 #include "tlsph/scene/reader.hpp"
 #include "tlsph/simulation/version.hpp"
 #include "tlsph/studies/chart_search.hpp"
-#include "tlsph/studies/converge.hpp"
 
 namespace tlsph {
 namespace {
@@ -32,8 +32,6 @@ constexpr double short_run = 0.02;  // [s]
 constexpr std::size_t first_repetitions = 3, repetitions = 5;
 /// Finer spacings at which a family is tried that the coarsest does not allow.
 constexpr std::size_t later_starts = 2;
-/// Share of a value that its change from one spacing to the next may be to count as noise.
-constexpr double settled = 1e-5;
 
 /// A family on its way down the ladder.
 struct Contender {
@@ -60,7 +58,10 @@ class ChartStudy {
   }
 
   ChartTable run() {
-    find_answers();
+    const std::vector<double> answers = find_answers(
+        request_, plan_.scene.body.spacing, options_.threads, options_.out / "answer",
+        [&] { show("extrapolating the answer"); }, options_.stop_requested);
+    std::ranges::copy(answers, table_.answers.end() - std::ssize(answers));
     for (const std::string& peer : request_.peers)
       run_ladder_of(peer,
                     peer_share * request_.budget / static_cast<double>(request_.peers.size()));
@@ -85,43 +86,6 @@ class ChartStudy {
     if (options_.progress) options_.progress(what, std::min(1.0, spent() / request_.budget));
   }
 
-  /// Values whose answer nobody gave, by Richardson from the scene as it stands.
-  void find_answers() {
-    ConvergenceRequest request;
-    for (std::size_t q = 0; q < plan_.values.size(); ++q)
-      if (!request_.values[q].answer) request.values.push_back(plan_.values[q]);
-    if (request.values.empty()) return;
-    request.scene = request_.scene;
-    request.overrides = request_.overrides;
-    const double h = plan_.scene.body.spacing;
-    request.spacings = {2.0 * h, h, 0.5 * h};
-    ConvergenceOptions options;
-    options.out = options_.out / "answer";
-    options.threads = options_.threads;
-    options.stop_requested = options_.stop_requested;
-    options.progress = [&](const Progress&) { show("extrapolating the answer"); };
-    for (const ConvergenceValue& value : converge(request, options).values) {
-      const auto at = std::ranges::find(table_.quantities, value.name);
-      table_.answers[static_cast<std::size_t>(at - table_.quantities.begin())] = limit_of(value);
-    }
-  }
-
-  /// The extrapolated value, or the finest where the last two agree so well that their difference
-  /// is noise.
-  [[nodiscard]] double limit_of(const ConvergenceValue& value) const {
-    if (std::isfinite(value.limit) && value.limit != 0.0) return value.limit;
-    if (const std::size_t n = value.medians.size(); n >= 3) {
-      const double finest = value.medians[n - 1];
-      if (finest != 0.0 && std::abs(finest - value.medians[n - 2]) <= settled * std::abs(finest))
-        return finest;
-    }
-    const double h = plan_.scene.body.spacing;
-    throw InputError({"--value " + value.name, 0, 0, ""},
-                     fmt::format("does not settle at the spacings {:.4g}, {:.4g} and {:.4g}: give "
-                                 "its answer, {}=…",
-                                 2.0 * h, h, 0.5 * h, value.name));
-  }
-
   /// A peer at one spacing after the other for half of its time; then its times once more.
   void run_ladder_of(const std::string& peer, double seconds) {
     const double half = spent() + 0.5 * seconds;
@@ -129,8 +93,7 @@ class ChartStudy {
     const std::size_t first = table_.points.size();
     std::vector<Measured> runs;
     for (const double spacing : plan_.ladder) {
-      if (!runs.empty() && spent() + predict(runs, spacing, plan_.scene.dimension).cost() > half)
-        break;
+      if (!runs.empty() && spent() + cost_of_peer(runs, spacing) > half) break;
       const double before = spent();
       PeerRun run = call(peer, spacing, until);
       if (!run.unable.empty()) {
@@ -148,6 +111,13 @@ class ChartStudy {
         const PeerRun again = call(peer, point.spacing, until);
         if (again.unable.empty()) point.seconds.push_back(again.point.time());
       }
+  }
+
+  /// Of its next run: most of a short one is its start, which does not grow until it is seen to.
+  [[nodiscard]] double cost_of_peer(const std::vector<Measured>& runs, double spacing) const {
+    const double before = runs.size() > 1 ? runs[runs.size() - 2].setup : runs.back().setup;
+    const double growth = std::clamp(runs.back().setup / before, 1.0, 10.0);
+    return growth * runs.back().setup + predict(runs, spacing, plan_.scene.dimension).stepping;
   }
 
   [[nodiscard]] PeerRun call(const std::string& peer, double spacing, double until) const {

@@ -7,11 +7,11 @@
 #include <iterator>
 #include <map>
 
-#include "tlsph/studies/chart_search.hpp"
 #include "tlsph/io/csv.hpp"
 #include "tlsph/io/files.hpp"
 #include "tlsph/io/json.hpp"
 #include "tlsph/studies/chart.hpp"
+#include "tlsph/studies/chart_search.hpp"
 
 namespace tlsph {
 namespace {

@@ -100,9 +100,11 @@ def run(scene, n, end):
     output = TIP if scene.answer else FIELDS
     # One increment is what everything but the steps takes: reading, set-up, output of the fields.
     part = mesh.spacing / scene.wave_speed
-    set_up = min(solve(program, scene, n, 0.2 * part, output)[0] for _ in range(2))
+    set_up = min(solve(program, scene, n, 0.2 * part, output)[0] for _ in range(3))
     first = [float(head.split()[-1]) for head, _ in solve(program, scene, n, 4 * part, TIP, 1)[2]]
     seconds, mesh, printed = solve(program, scene, n, end, output)
+    if seconds < 2.0:  # the difference of two short times is noise: the least of each
+        seconds = min(seconds, *(solve(program, scene, n, end, output)[0] for _ in range(2)))
     tip = [(float(head.split()[-1]), rows[0]) for head, rows in printed if " TIP " in head]
     if scene.answer:
         errors = scenes.period_error(scene, [0.0] + [t for t, _ in tip], [0.0] + [row[2] for _, row in tip])
@@ -116,7 +118,8 @@ def run(scene, n, end):
         points = mesh.X[mesh.corners].mean(axis=1)
         errors = scenes.field_errors(scene, end, mesh.X, mesh.V, u, v, points, np.ones(len(points)), stress)
     return {"particles": len(mesh.X), "steps": round(end / (first[1] - first[0])),
-            "repetitions": [max(seconds - set_up, 1e-6)], "errors": errors, "note": "C3D8, explicit, step of its own; time without that of one increment"}
+            "repetitions": [max(seconds - set_up, 1e-6)], "errors": errors,
+            "note": "C3D8, explicit, step of its own; time without that of one increment"}
 
 
 if __name__ == "__main__":

@@ -42,7 +42,6 @@ def run(scene, n, end):
     tip = np.argmin(np.linalg.norm(mesh.X - np.array([0.2, 0.0]), axis=1)) if scene.name == "clamped_beam" else 0
     head = [scene.dimension, scene.law, lam, mu, scene.density, hourglass, end, 0.9, len(mesh.X), len(mesh.corners),
             len(curve), int(tip) * scene.dimension + scene.dimension - 1, 5]
-    # A bar of two nodes has no second direction to bend into: λ + 2μ is what P = μ(F − 1/F) + λ ln F/F leaves.
     arrays = [mesh.X, mesh.corners, scenes.free_components(scene, mesh.X).astype(int), u, v, load, curve_time, curve]
     problem = " ".join(map(str, head)) + "\n" + "\n".join(
         " ".join(f"{value:.17g}" for value in np.ravel(array)) for array in arrays)

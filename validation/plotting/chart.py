@@ -77,10 +77,10 @@ def draw(options):
     if len(labels) > 1:
         # Wider than its axes: kept out of the layout, which it would stretch; blank lines above the titles hold its
         # place.
-        columns = 6 if across > 1 else 3
+        columns = 8 if across > 1 else 5
         first.set_title(" \n" * -(-len(labels) // columns) + first.get_title(loc="left"), loc="left")
-        first.legend(handles, labels, ncols=columns, loc="lower left", bbox_to_anchor=(0, 1.06), borderaxespad=0.2,
-                     columnspacing=1.2, handletextpad=0.2).set_in_layout(False)
+        first.legend(handles, labels, ncols=columns, loc="lower left", bbox_to_anchor=(-0.05, 1.05), borderaxespad=0.2,
+                     columnspacing=0.9, handletextpad=0.2, handlelength=1.2).set_in_layout(False)
     return figure, path.with_suffix(".png")
 
 
@@ -101,7 +101,7 @@ def panel(axes, q, name, points):
         scatter(axes, mine, q, INK, PEER_MARKERS[k % len(PEER_MARKERS)], peer, True)
     front = sorted((point for point in points if name in point["front"]), key=lambda point: point["time"])
     axes.plot([point["time"] for point in front], [point["errors"][q] for point in front], color=FAINT, linewidth=1.0,
-              zorder=1)
+              label="front", zorder=1)
     ranges(axes, front, q)
     axes.set_xscale("log")
     axes.set_yscale("log")
