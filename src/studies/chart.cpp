@@ -62,9 +62,9 @@ class ChartStudy {
         request_, plan_.scene.body.spacing, options_.threads, options_.out / "answer",
         [&] { show("extrapolating the answer"); }, options_.stop_requested);
     std::ranges::copy(answers, table_.answers.end() - std::ssize(answers));
-    for (const std::string& peer : request_.peers)
-      run_ladder_of(peer,
-                    peer_share * request_.budget / static_cast<double>(request_.peers.size()));
+    const double peers_until = spent() + peer_share * request_.budget;
+    for (std::size_t k = 0; k < request_.peers.size(); ++k)
+      run_ladder_of(request_.peers[k], peers_until, static_cast<double>(request_.peers.size() - k));
     const double start = spent();
     const double searching = request_.budget * (1.0 - repetition_share) - start;
     screen(start + screening_share * searching);
@@ -86,16 +86,18 @@ class ChartStudy {
     if (options_.progress) options_.progress(what, std::min(1.0, spent() / request_.budget));
   }
 
-  /// A peer at one spacing after the other for half of its time; then its times once more.
-  void run_ladder_of(const std::string& peer, double seconds) {
-    const double half = spent() + 0.5 * seconds;
-    const double until = spent() + seconds;
+  /// A peer at one spacing after the other for half of its share of what is left; then its times
+  /// once more. Its first run may take all of it: a slow peer has one point.
+  void run_ladder_of(const std::string& peer, double all_until, double sharers) {
+    const double share = std::max(0.0, all_until - spent()) / sharers;
+    const double half = spent() + 0.5 * share;
+    const double until = spent() + share;
     const std::size_t first = table_.points.size();
     std::vector<Measured> runs;
     for (const double spacing : plan_.ladder) {
       if (!runs.empty() && spent() + cost_of_peer(runs, spacing) > half) break;
       const double before = spent();
-      PeerRun run = call(peer, spacing, until);
+      PeerRun run = call(peer, spacing, runs.empty() ? all_until : until);
       if (!run.unable.empty()) {
         if (runs.empty()) table_.notes.push_back(run.unable);
         break;
@@ -133,10 +135,9 @@ class ChartStudy {
       const std::size_t last = std::min(later_starts + 1, plan_.ladder.size());
       while (contender.next < last && !advance(contender, until)) {
       }
-      if (contender.runs.empty() && !contender.out) {
-        contender.out = true;
-        ++table_.refused;
-      }
+      if (!contender.runs.empty() || contender.out) continue;
+      contender.out = true;
+      if (!stopped() && spent() < until) ++table_.refused;  // else there was no time to see
     }
   }
 

@@ -155,13 +155,16 @@ Json point_json(const ChartPoint& point, const ChartTable& table) {
   return json;
 }
 
-/// Fills `judged`, family by family; a peer is a family.
+/// Fills `judged`, family by family. Peers keep their luck: nobody chose among many of them.
 void judge(ChartTable& table) {
-  std::map<std::pair<std::string, std::string>, std::vector<ChartPoint*>> families;
+  std::map<std::string, std::vector<ChartPoint*>> families;
   for (ChartPoint& point : table.points) {
     point.judged.assign(table.quantities.size(), std::numeric_limits<double>::quiet_NaN());
-    if (point.failure.empty())
-      families[{point.peer, point.peer.empty() ? point.family : ""}].push_back(&point);
+    if (!point.failure.empty()) continue;
+    if (point.peer.empty())
+      families[point.family].push_back(&point);
+    else
+      point.judged = point.errors;
   }
   for (auto& [name, members] : families) {
     std::ranges::sort(members, std::greater(), &ChartPoint::spacing);

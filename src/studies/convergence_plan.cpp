@@ -83,13 +83,6 @@ void divide(PlannedRun& run) {
   run.particles = particles.size();
 }
 
-template <int D>
-void measure_cloud(PlannedRun& run) {
-  const Particles<D> particles = build_particles<D>(run.scene);
-  run.particles = particles.size();
-  run.spacing = std::pow(particles.V.sum() / static_cast<double>(run.particles), 1.0 / D);
-}
-
 std::filesystem::path stem_of(const std::string& file) {
   return std::filesystem::path(file).stem();
 }
@@ -208,10 +201,11 @@ class Planner {
       overrides.push_back(
           fmt::format("body.cloud='{}'", std::filesystem::absolute(cloud).string()));
       run.scene = scene_of(overrides);
+      run.scene.body.spacing = 0.0;  // its own, not one for all
       run.sample = cloud;
       run.folder = stem_of(cloud);
       if (namesakes > 0) run.folder += fmt::format("-{}", namesakes + 1);
-      run.scene.dimension == 1 ? measure_cloud<1>(run) : measure_cloud<2>(run);
+      run.scene.dimension == 1 ? divide<1>(run) : divide<2>(run);
       runs.push_back(std::move(run));
     }
     std::ranges::stable_sort(runs, {}, &PlannedRun::particles);

@@ -14,7 +14,7 @@ struct PlannedRun {
   Scene scene;
   std::string sample;            ///< seed or file of the cloud; empty: alone on its level
   std::filesystem::path folder;  ///< <series>/<spacing as asked for>[/<sample>]
-  double spacing = 0.0;          ///< [m], as it divides the body; (|body|/N)^(1/d) of a cloud
+  double spacing = 0.0;  ///< [m], as it divides the body; the one it is estimated at of a cloud
   Index particles = 0;
 };
 

@@ -161,6 +161,33 @@ class Table(Convergence):
         self.assertIn("consistent kernel.support=2.1: velocity", done.stdout)
         self.assertIn("worst/best", done.stdout)
 
+    def write_cloud(self, name, n, seed):
+        """Points of a lattice of n x n cells on the unit square, the inner ones moved by up to 0.2 of the spacing."""
+        points = np.stack(np.meshgrid(*2 * [np.arange(n + 1) / n], indexing="ij"), axis=-1).reshape(-1, 2)
+        inner = np.all((points > 0) & (points < 1), axis=1)
+        points[inner] += np.random.default_rng(seed).uniform(-0.2 / n, 0.2 / n, (inner.sum(), 2))
+        self.write(name, "x,y\n" + "".join(f"{x:.17g},{y:.17g}\n" for x, y in points))
+
+    def test_clouds(self):
+        for n in (8, 16):
+            for seed in (1, 2):
+                self.write_cloud(f"{n}-{seed}.csv", n, seed)
+
+        done = self.converge(
+            "--cloud", "16-1.csv,8-1.csv,8-2.csv,16-2.csv", "--out", "study", "--formulation", "consistent",
+            "--set", "stabiliser.kind=pair", scene=(SOURCE / "examples/swinging_plate.toml").read_text(encoding="utf-8"),
+        )
+
+        rows = self.rows()
+        self.assertEqual([(row["body.cloud"], row["particles"]) for row in rows],
+                         [("8-1.csv", "81"), ("8-2.csv", "81"), ("16-1.csv", "289"), ("16-2.csv", "289")])
+        np.testing.assert_allclose(self.numbers(rows, "spacing"), [1 / 8, 1 / 8, 1 / 16, 1 / 16], rtol=1e-12)
+        self.assertEqual([level["runs"] for level in self.report()["levels"]], [2, 2])
+        for order in self.report()["orders"]:
+            self.assertGreater(order["order"], 1.5, order)
+            self.assertGreater(order["order_worst"], 1.5, order)
+        self.assertIn("consistent: velocity", done.stdout)
+
     def test_values_are_extrapolated(self):
         # The first mode of a plane-stress bar that is fixed on the left swings with 4 L/sqrt(E/rho).
         bar = SMOOTH.replace('[reference]\nexact = "bar-wave"\n', "").replace("end = 2e-2", "end = 0.5")
@@ -280,7 +307,9 @@ class Refusals(Convergence):
             ([*two, "--value", "tip.cauchy_xx"], SMOOTH, "--value"),
             ([*two, "--value", "top.cauchy_xx.max"], SMOOTH, "no probe records top.cauchy_xx"),
             ([*two, "--cloud", "a.csv,b.csv"], SMOOTH, "--cloud"),
-            (["--cloud", "a.csv,b.csv"], SMOOTH, "cloud"),
+            (["--cloud", "a.csv,b.csv"], SMOOTH, "there is no file"),
+            (["--cloud", "a.csv,a.csv"], SMOOTH, "--cloud: a.csv stands twice"),
+            (["--cloud", "a.csv,b.csv", "--seed", "1,2"], SMOOTH, "--seed: a cloud has no seed"),
             (two, free, "at least 3"),
             (["--spacing", "0.1,0.05,0.025"], blind, "nothing to compare"),
             (two, "dimension = 7", "dimension"),

@@ -50,7 +50,8 @@ struct ChartPoint {
   std::vector<double> seconds;  ///< stepping, one a repetition
   std::vector<double> errors;   ///< relative, one a quantity; not a number where there is none
   /// What it is judged by: of single numbers, which may hit their answer by chance, not better than
-  /// the next finer spacing of the family; not a number where there is no other spacing.
+  /// the next finer spacing of the family; not a number where there is no other spacing. Of a peer,
+  /// which nobody picked from many, the error itself.
   std::vector<double> judged;
   std::vector<bool> front;  ///< one a quantity: nothing is both faster and nearer
   std::string failure;      ///< empty when all went well

@@ -57,7 +57,7 @@ struct ConvergenceRow {
   std::string formulation;
   std::vector<std::string> over;  ///< values of the compared keys
   std::string sample;             ///< seed or file of the cloud; empty: alone on its level
-  double spacing = 0.0;           ///< [m], as it divides the body; (|body|/N)^(1/d) of a cloud
+  double spacing = 0.0;  ///< [m], as it divides the body; the one it is estimated at of a cloud
   Index particles = 0;
   long steps = 0;                      ///< 0 if the run failed
   double dt = 0.0;                     ///< [s], the first step
