@@ -53,7 +53,7 @@ class CommandLine(ProgramTest):
         done = self.tlsph("scene-reference")
 
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-        self.assertRegex(done.stdout, r"(?m)^  spacing +number \[m\], required$")
+        self.assertRegex(done.stdout, r"(?m)^  end +number \[s\], required$")
         self.assertEqual(self.listing(), [])
 
     def test_plan_runs_nothing(self):

@@ -175,7 +175,8 @@ class Table(Convergence):
 
         done = self.converge(
             "--cloud", "16-1.csv,8-1.csv,8-2.csv,16-2.csv", "--out", "study", "--formulation", "consistent",
-            "--set", "stabiliser.kind=pair", scene=(SOURCE / "examples/swinging_plate.toml").read_text(encoding="utf-8"),
+            "--set", "stabiliser.kind=pair",
+            scene=(SOURCE / "examples/swinging_plate.toml").read_text(encoding="utf-8"),
         )
 
         rows = self.rows()

@@ -1,11 +1,12 @@
-// The explicit finite element that particles have to beat: one stress point an element, its B matrix
-// stored, lumped mass, central differences, hourglass stiffness of assumed strain (Flanagan &
-// Belytschko 1981, Belytschko & Bachrach 1986). Q4 in plane strain, bars of two nodes in one dimension.
+// The explicit finite element that particles have to beat: one stress point an element, its B
+// matrix stored, lumped mass, central differences, hourglass stiffness of assumed strain (Flanagan
+// & Belytschko 1981, Belytschko & Bachrach 1986). Q4 in plane strain, bars of two nodes in one
+// dimension.
 //
 //     fe_q4 < problem > result        both as fe_q4.py writes and reads them
 //
-// Elements go through in blocks of W, a lane of a vector each; only the nodes are read and summed into
-// one by one. The clock runs for the steps alone.
+// Elements go through in blocks of W, a lane of a vector each; only the nodes are read and summed
+// into one by one. The clock runs for the steps alone.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -43,14 +44,16 @@ class Mesh {
       : lambda(p.lambda), mu(p.mu), linear(p.law == "linear-elastic"), hourglass(p.hourglass) {
     inverse_mass.assign(p.X.size(), 0.0);
     for (int e = 0; e < p.elements; ++e) {
-      if (e % W == 0) blocks.emplace_back();  // zeroed: a lane without element has no B and no force
+      if (e % W == 0)
+        blocks.emplace_back();  // zeroed: a lane without element has no B and no force
       set_element(p, e, blocks.back(), e % W);
     }
     for (size_t k = 0; k < p.X.size(); ++k) inverse_mass[k] = p.free[k] / inverse_mass[k];
   }
 
   // f −= ∂U/∂u; stress of element e in P[e] if asked for.
-  void add_forces(const std::vector<double>& u, std::vector<double>& f, std::vector<double>* stress = nullptr) const {
+  void add_forces(const std::vector<double>& u, std::vector<double>& f,
+                  std::vector<double>* stress = nullptr) const {
     for (const Block<D>& b : blocks) {
       Lanes H[D][D] = {}, P[D][D], mode[D] = {};
       for (int q = 0; q < C; ++q)
@@ -63,7 +66,8 @@ class Mesh {
       linear ? hooke(H, P) : neo_hooke(H, P);
       if (stress)
         for (int l = 0; l < W; ++l)
-          for (int i = 0; i < D * D; ++i) (*stress)[((&b - blocks.data()) * W + l) * D * D + i] = P[i / D][i % D][l];
+          for (int i = 0; i < D * D; ++i)
+            (*stress)[((&b - blocks.data()) * W + l) * D * D + i] = P[i / D][i % D][l];
       for (int i = 0; i < D; ++i) {
         for (int a = 0; a < D; ++a) P[i][a] *= b.volume;
         mode[i] *= hourglass;
@@ -80,7 +84,9 @@ class Mesh {
   // 2/ω_max by power iteration about the reference state.
   double critical_step() const {
     std::vector<double> x(inverse_mass.size()), f(x.size());
-    for (size_t k = 0; k < x.size(); ++k) x[k] = inverse_mass[k] > 0 ? std::cos(2.7 * k) + (k % 2 ? 0.5 : -0.5) : 0.0;
+    for (size_t k = 0; k < x.size(); ++k)
+      x[k] =
+          inverse_mass[k] > 0 ? std::cos(2.7 * static_cast<double>(k)) + (k % 2 ? 0.5 : -0.5) : 0.0;
     double square = 0.0;
     for (int iteration = 0; iteration < 400; ++iteration) {
       double norm = 0.0;
@@ -108,7 +114,8 @@ class Mesh {
       b.volume[l] = x(1, 0) - x(0, 0);
       b.B[0][0][l] = -1.0 / b.volume[l], b.B[1][0][l] = 1.0 / b.volume[l];
     } else {
-      b.volume[l] = 0.5 * ((x(2, 0) - x(0, 0)) * (x(3, 1) - x(1, 1)) + (x(1, 0) - x(3, 0)) * (x(2, 1) - x(0, 1)));
+      b.volume[l] = 0.5 * ((x(2, 0) - x(0, 0)) * (x(3, 1) - x(1, 1)) +
+                           (x(1, 0) - x(3, 0)) * (x(2, 1) - x(0, 1)));
       constexpr double h[4] = {1, -1, 1, -1};
       double hx[2] = {};
       for (int q = 0; q < 4; ++q) {
@@ -117,11 +124,13 @@ class Mesh {
         b.B[q][1][l] = 0.5 * (x(last, 0) - x(next, 0)) / b.volume[l];
         for (int a = 0; a < 2; ++a) hx[a] += h[q] * x(q, a);
       }
-      for (int q = 0; q < 4; ++q) b.gamma[q][l] = 0.25 * (h[q] - b.B[q][0][l] * hx[0] - b.B[q][1][l] * hx[1]);
+      for (int q = 0; q < 4; ++q)
+        b.gamma[q][l] = 0.25 * (h[q] - b.B[q][0][l] * hx[0] - b.B[q][1][l] * hx[1]);
     }
     for (int q = 0; q < C; ++q) {
       b.node[q][l] = at[q];
-      for (int i = 0; i < D; ++i) inverse_mass[at[q] * D + i] += p.density * b.volume[l] / C;  // mass, to be inverted
+      for (int i = 0; i < D; ++i)
+        inverse_mass[at[q] * D + i] += p.density * b.volume[l] / C;  // mass, to be inverted
     }
   }
 
@@ -129,7 +138,8 @@ class Mesh {
     Lanes trace = {};
     for (int a = 0; a < D; ++a) trace += H[a][a];
     for (int i = 0; i < D; ++i)
-      for (int a = 0; a < D; ++a) P[i][a] = mu * (H[i][a] + H[a][i]) + (i == a ? lambda * trace : Lanes{});
+      for (int a = 0; a < D; ++a)
+        P[i][a] = mu * (H[i][a] + H[a][i]) + (i == a ? lambda * trace : Lanes{});
   }
 
   // P = μ(F − F⁻ᵀ) + λ ln J F⁻ᵀ, J = 1 + e.
@@ -198,7 +208,8 @@ void solve(Problem& p) {
   };
   const auto start = std::chrono::steady_clock::now();
   for (long n = 0; n < steps; ++n) {
-    if (n % p.every == 0) time.push_back(static_cast<double>(n) * dt), history.push_back(p.u[p.probe]);
+    if (n % p.every == 0)
+      time.push_back(static_cast<double>(n) * dt), history.push_back(p.u[p.probe]);
     forces(static_cast<double>(n) * dt);
     const double kick = n == 0 ? 0.5 * dt : dt;  // v at n + ½
     for (size_t k = 0; k < f.size(); ++k) {
@@ -214,7 +225,8 @@ void solve(Problem& p) {
   mesh.add_forces(p.u, f, &stress);
   stress.resize(static_cast<size_t>(p.elements) * D * D);
   std::cout.precision(17);
-  std::cout << "steps " << steps << "\nstepping_seconds " << seconds.count() << "\ndt_critical " << critical << '\n';
+  std::cout << "steps " << steps << "\nstepping_seconds " << seconds.count() << "\ndt_critical "
+            << critical << '\n';
   print("displacement", p.u), print("velocity", p.v), print("stress", stress);
   print("time", time), print("history", history);
 }
@@ -222,8 +234,8 @@ void solve(Problem& p) {
 int main() {
   Problem p;
   int dimension = 0, samples = 0;
-  std::cin >> dimension >> p.law >> p.lambda >> p.mu >> p.density >> p.hourglass >> p.end >> p.safety >> p.nodes >>
-      p.elements >> samples >> p.probe >> p.every;
+  std::cin >> dimension >> p.law >> p.lambda >> p.mu >> p.density >> p.hourglass >> p.end >>
+      p.safety >> p.nodes >> p.elements >> samples >> p.probe >> p.every;
   const size_t values = static_cast<size_t>(p.nodes) * dimension;
   p.X = read<double>(values);
   p.corners = read<int>(static_cast<size_t>(p.elements) << dimension);
