@@ -37,7 +37,7 @@ install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDI
 # Where the program looks for what draws its figures and for the cases of `tlsph validate`
 # (validation_folder in src/studies/figure.cpp).
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/validation" DESTINATION "${CMAKE_INSTALL_DATADIR}/tlsph"
-        FILES_MATCHING PATTERN "*.py" PATTERN "*.toml" PATTERN "*.csv" PATTERN "*.md"
+        FILES_MATCHING PATTERN "*.py" PATTERN "*.cpp" PATTERN "*.toml" PATTERN "*.csv" PATTERN "*.md"
         PATTERN "__pycache__" EXCLUDE)
 
 configure_package_config_file(cmake/tlsphConfig.cmake.in "${PROJECT_BINARY_DIR}/tlsphConfig.cmake"

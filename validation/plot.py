@@ -6,6 +6,7 @@
     plot.py space-time out/bar_wave             a field over place and time, in one dimension
     plot.py operator export/operators.h5:G_x    sparsity pattern and spectrum
     plot.py convergence out/convergence.csv     errors against the spacing, with fitted orders
+    plot.py chart out/chart.json                speed against accuracy, with the front of the best
     plot.py energy out/clamped_beam             where the energy goes, and the drift of the balance
     plot.py stability out/sheet-stability/stability.json   where methods fail, and how waves travel on the lattice
     plot.py case out/validation/bar_pulse       the figure of a validation case, from what it left there
@@ -28,7 +29,7 @@ except ImportError as missing:
 
 matplotlib.use("Agg")
 
-from plotting import case, convergence, energy, frames, operator, probes, space_time, stability  # noqa: E402
+from plotting import case, chart, convergence, energy, frames, operator, probes, space_time, stability  # noqa: E402
 from plotting.data import PlotError  # noqa: E402
 from plotting.style import heading, save, use_style  # noqa: E402
 
@@ -41,8 +42,9 @@ def parser():
     common.add_argument("--title", default="", help="heading of the figure")
     commands = p.add_subparsers(dest="command", required=True, metavar="COMMAND")
     for name, module in (("probes", probes), ("frames", frames), ("space-time", space_time),
-                         ("operator", operator), ("convergence", convergence), ("energy", energy),
-                         ("stability", stability), ("case", case)):
+                         ("operator", operator), ("convergence", convergence), ("chart", chart),
+                         ("energy", energy), ("stability", stability),
+                         ("case", case)):
         text = module.__doc__.split("\n", 1)[0]
         command = commands.add_parser(name, parents=[common], help=text, description=module.__doc__,
                                       formatter_class=argparse.RawDescriptionHelpFormatter)

@@ -65,19 +65,34 @@ void add_converge(CLI::App& app, CommandLine& line) {
   auto* command = app.add_subcommand(
       "converge", "run a scene at several spacings: errors and the orders they fall with");
   add_scene(*command, line);
+  const auto list = [&](const char* name, auto& values, const char* text, const char* type) {
+    return command->add_option(name, values, text)
+        ->type_name(type)
+        ->delimiter(',')
+        ->allow_extra_args(false);
+  };
+  auto* sizes = command->add_option_group("sizes");
+  sizes->add_option(list(
+      "--spacing", line.spacings,
+      "spacings [m], at least two; three where the scene names no exact solution", "A,B,C[,...]"));
+  sizes->add_option(list("--cloud", line.clouds,
+                         "clouds of particles instead (body.cloud), sized by their number",
+                         "A.csv,B.csv[,...]"));
+  sizes->require_option(1);
+  list("--formulation", line.formulations, "formulations to compare; default: the scene's",
+       "A[,B,...]");
   command
-      ->add_option("--spacing", line.spacings,
-                   "spacings [m], at least two; three where the scene names no exact solution")
-      ->type_name("A,B,C[,...]")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->required();
-  command
-      ->add_option("--formulation", line.formulations,
-                   "formulations to compare; default: the scene's")
-      ->type_name("A[,B,...]")
-      ->delimiter(',')
+      ->add_option("--over", line.over,
+                   "another key of the scene to compare, e.g. kernel.support=2.1,2.6; may be "
+                   "repeated, each value with each")
+      ->type_name("KEY=A,B[,...]")
       ->allow_extra_args(false);
+  list("--seed", line.seeds,
+       "run every one with each body.seed: median, worst and spread of random particles",
+       "A[,B,...]");
+  list("--value", line.values,
+       "number to read off a probe and to extrapolate: <probe>.<column>.<end|max|min|peak|period>",
+       "NAME[,...]");
   add_out(*command, line, "; default: out/<name of the scene>-converge");
   add_threads(*command, line);
   add_quiet(*command, line);
@@ -96,6 +111,35 @@ void add_stability(CLI::App& app, CommandLine& line) {
   add_out(*command, line, "; default: out/<name of the scene>-stability");
   add_quiet(*command, line);
   command->callback([&line] { line.command = Command::stability; });
+}
+
+void add_chart(CLI::App& app, CommandLine& line) {
+  auto* command = app.add_subcommand(
+      "chart", "speed against accuracy: many ways to model a scene, and the front of the best");
+  add_scene(*command, line);
+  command->add_option("--budget", line.budget, "wall time of the study, e.g. 120s or 10min")
+      ->transform(CLI::AsNumberWithUnit(
+          std::map<std::string, double>{{"s", 1.0}, {"min", 60.0}, {"h", 3600.0}},
+          CLI::AsNumberWithUnit::UNIT_OPTIONAL, "TIME"))
+      ->capture_default_str();
+  const auto list = [&](const char* name, auto& values, const char* text, const char* type) {
+    return command->add_option(name, values, text)
+        ->type_name(type)
+        ->delimiter(',')
+        ->allow_extra_args(false);
+  };
+  list("--value", line.values,
+       "number to read off a probe, <probe>.<column>.<end|max|min|peak|period>, and its answer; "
+       "without one it is extrapolated",
+       "NAME[=ANSWER][,...]");
+  list("--spacing", line.spacings, "spacings [m]; default: 4, 2, 1, 1/2 ... of the scene's",
+       "A[,B,...]");
+  list("--formulation", line.formulations, "only these formulations", "A[,B,...]");
+  list("--peer", line.peers, "other programs beside it, scripts of validation/peers", "A[,B,...]");
+  add_out(*command, line, "; default: out/<name of the scene>-chart");
+  add_threads(*command, line);
+  add_quiet(*command, line);
+  command->callback([&line] { line.command = Command::chart; });
 }
 
 void add_validate(CLI::App& app, CommandLine& line) {
@@ -136,6 +180,7 @@ std::optional<CommandLine> parse_command_line(int argc, const char* const* argv)
   add_export(app, line);
   add_converge(app, line);
   add_stability(app, line);
+  add_chart(app, line);
   add_validate(app, line);
   add_benchmark(app, line);
   app.add_subcommand("scene-reference", "every key of a scene: type, unit, default, range")

@@ -2,6 +2,7 @@
 /// \file
 /// What the user typed, as plain data: the only door to the command-line library.
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -14,6 +15,7 @@ enum class Command {
   plan,
   export_operators,
   converge,
+  chart,
   stability,
   validate,
   benchmark,
@@ -28,8 +30,14 @@ struct CommandLine {
   int threads = 0;                     // 0: as many as pay
   bool quiet = false;
   bool resume = false;
-  std::vector<double> spacings;           // converge
+  std::vector<double> spacings;           // converge, chart
   std::vector<std::string> formulations;  // converge; empty: the scene's
+  std::vector<std::string> over;          // converge, key=a,b,c
+  std::vector<std::uint64_t> seeds;       // converge
+  std::vector<std::string> clouds;        // converge
+  std::vector<std::string> values;        // converge, chart
+  std::vector<std::string> peers;         // chart
+  double budget = 120.0;                  // chart [s]
   std::vector<std::string> cases;         // validate; empty: all
   bool quick = false;                     // validate
   double particles = 0.0;                 // benchmark; 0: the usual number

@@ -17,6 +17,7 @@
 #include "tlsph/simulation/simulation.hpp"
 #include "tlsph/stability/atlas.hpp"
 #include "tlsph/studies/benchmark.hpp"
+#include "tlsph/studies/chart.hpp"
 #include "tlsph/studies/converge.hpp"
 #include "tlsph/studies/figure.hpp"
 #include "tlsph/studies/validation.hpp"
@@ -89,12 +90,21 @@ ExitCode converge_scene(const CommandLine& line) {
       print(run_line(row));
     };
 
-  const ConvergenceTable table =
-      converge({line.scene, line.overrides, line.spacings, line.formulations}, options);
+  ConvergenceRequest request;
+  request.scene = line.scene;
+  request.overrides = line.overrides;
+  request.spacings = line.spacings;
+  request.formulations = line.formulations;
+  for (const std::string& text : line.over) request.over.push_back(parse_variation(text));
+  request.seeds = line.seeds;
+  request.clouds = line.clouds;
+  request.values = line.values;
+
+  const ConvergenceTable table = converge(request, options);
 
   display.reset();
   const Figure figure = draw_figure("convergence", out / "convergence.csv");
-  if (!line.quiet) print(fmt::format("\n{}\n{}", table.text(), study_report(out, figure)));
+  if (!line.quiet) print(fmt::format("\n{}\n{}", table.text(), results_report(out, figure)));
   if (table.interrupted) return interruption();
   const auto failed = std::ranges::count_if(
       table.rows, [](const ConvergenceRow& row) { return !row.failure.empty(); });
@@ -118,8 +128,34 @@ ExitCode draw_stability(const CommandLine& line) {
   display.clear();
   atlas.write(out);
   const Figure figure = draw_figure("stability", out / "stability.json");
-  if (!line.quiet) print(fmt::format("{}{}", atlas.text(), study_report(out, figure)));
+  if (!line.quiet) print(fmt::format("{}{}", atlas.text(), results_report(out, figure)));
   return atlas.interrupted ? interruption() : ExitCode::done;
+}
+
+ExitCode chart_scene(const CommandLine& line) {
+  const std::filesystem::path out =
+      line.out.empty() ? "out" / line.scene.stem().concat("-chart") : line.out;
+  ChartRequest request;
+  request.scene = line.scene;
+  request.overrides = line.overrides;
+  request.budget = line.budget;
+  request.spacings = line.spacings;
+  request.formulations = line.formulations;
+  for (const std::string& text : line.values) request.values.push_back(parse_chart_value(text));
+  request.peers = line.peers;
+  ProgressDisplay display(stdout, ProgressDisplay::style_for(stdout, line.quiet));
+  ChartOptions options;
+  options.out = out;
+  options.threads = std::max(1, line.threads);
+  options.stop_requested = catch_interrupts();
+  options.progress = [&](const std::string& what, double share) { display.show(share, what); };
+
+  const ChartTable table = chart(request, options);
+
+  display.clear();
+  const Figure figure = draw_figure("chart", out / "chart.json");
+  if (!line.quiet) print(fmt::format("{}\n{}", table.text(), results_report(out, figure)));
+  return table.interrupted ? interruption() : ExitCode::done;
 }
 
 ExitCode validate_cases(const CommandLine& line) {
@@ -185,6 +221,8 @@ ExitCode execute(const CommandLine& line) {
       return converge_scene(line);
     case Command::stability:
       return draw_stability(line);
+    case Command::chart:
+      return chart_scene(line);
     case Command::validate:
       return validate_cases(line);
     case Command::benchmark:

@@ -27,13 +27,14 @@ std::string run_report(const Summary& s, const std::filesystem::path& out) {
 }
 
 std::string run_line(const ConvergenceRow& row) {
-  const std::string text = fmt::format("{}, spacing {:.6g} m, {} particles: ", row.formulation,
-                                       row.spacing, row.particles);
+  const std::string text =
+      fmt::format("{}, spacing {:.6g} m, {} particles{}: ", row.series, row.spacing, row.particles,
+                  row.sample.empty() ? "" : ", sample " + row.sample);
   if (!row.failure.empty()) return text + fmt::format("failed: {}\n", row.failure);
   return text + fmt::format("{} steps in {:.3g} s\n", row.steps, row.wall_seconds);
 }
 
-std::string study_report(const std::filesystem::path& out, const Figure& figure) {
+std::string results_report(const std::filesystem::path& out, const Figure& figure) {
   const std::string text = fmt::format("results in {}", out.string());
   if (figure.drawn) return text + fmt::format(", drawn in {}\n", figure.file.string());
   return text + fmt::format("\nno figure; draw it with: {}\n", figure.command);

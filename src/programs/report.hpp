@@ -18,7 +18,7 @@ namespace tlsph {
 [[nodiscard]] std::string run_line(const ConvergenceRow& row);
 
 /// Where the files of a study are, and how to draw the figure if that did not work.
-[[nodiscard]] std::string study_report(const std::filesystem::path& out, const Figure& figure);
+[[nodiscard]] std::string results_report(const std::filesystem::path& out, const Figure& figure);
 
 /// One case of `validate`, as it ends.
 [[nodiscard]] std::string case_line(const CaseResult& result);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "probe_values.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/observe/probes.hpp"
 #include "tlsph/scene/names.hpp"
@@ -16,6 +17,8 @@ namespace {
 
 const Place spacing_option{"--spacing", 0, 0, ""};
 const Place formulation_option{"--formulation", 0, 0, ""};
+const Place seed_option{"--seed", 0, 0, ""};
+const Place cloud_option{"--cloud", 0, 0, ""};
 
 std::vector<double> sorted_spacings(std::vector<double> spacings) {
   for (const double spacing : spacings)
@@ -28,24 +31,49 @@ std::vector<double> sorted_spacings(std::vector<double> spacings) {
   return spacings;
 }
 
-void check_formulations(const std::vector<std::string>& names) {
-  for (auto name = names.begin(); name != names.end(); ++name) {
-    if (!from_name<Formulation>(*name))
-      throw InputError(formulation_option, fmt::format("there is no \"{}\"; choose from {}", *name,
-                                                       choices<Formulation>()));
-    if (std::find(names.begin(), name, *name) != name)
-      throw InputError(formulation_option, fmt::format("{} stands twice; each once", *name));
-  }
+template <class T>
+void check_once(const Place& option, const std::vector<T>& entries) {
+  for (auto entry = entries.begin(); entry != entries.end(); ++entry)
+    if (std::find(entries.begin(), entry, *entry) != entry)
+      throw InputError(option, fmt::format("{} stands twice; each once", *entry));
 }
 
-/// The scene of one run. Frames are of no use to a study, unless the user asks for them; what the
-/// study varies comes last, so that it wins.
-Scene scene_of(const ConvergenceRequest& request, const std::string& formulation, double spacing) {
-  std::vector<std::string> overrides = {"output.frames=0"};
-  overrides.insert(overrides.end(), request.overrides.begin(), request.overrides.end());
-  if (!formulation.empty()) overrides.push_back("formulation=" + formulation);
-  overrides.push_back(fmt::format("body.spacing={}", spacing));
-  return read_scene(request.scene, overrides);
+/// Formulations first, then the other keys in their order; each value with each. What a study has
+/// an option for is refused as a key.
+std::vector<Variation> variations_of(const ConvergenceRequest& request) {
+  check_once(formulation_option, request.formulations);
+  for (const std::string& name : request.formulations)
+    if (!from_name<Formulation>(name))
+      throw InputError(formulation_option, fmt::format("there is no \"{}\"; choose from {}", name,
+                                                       choices<Formulation>()));
+  std::vector<Variation> variations;
+  if (!request.formulations.empty()) variations.push_back({"formulation", request.formulations});
+  for (const Variation& variation : request.over) {
+    const Place place{"--over " + variation.key, 0, 0, ""};
+    for (const auto& [key, option] :
+         {std::pair("formulation", "--formulation"), std::pair("body.spacing", "--spacing"),
+          std::pair("body.seed", "--seed"), std::pair("body.cloud", "--cloud")})
+      if (variation.key == key) throw InputError(place, fmt::format("has an option, {}", option));
+    for (const Variation& other : variations)
+      if (other.key == variation.key) throw InputError(place, "stands twice; each key once");
+    variations.push_back(variation);
+  }
+  return variations;
+}
+
+/// Which value of each variation a series takes: the last key turns fastest.
+std::vector<std::vector<std::string>> combinations(const std::vector<Variation>& variations) {
+  std::vector<std::vector<std::string>> result = {{}};
+  for (const Variation& variation : variations) {
+    std::vector<std::vector<std::string>> longer;
+    for (const auto& start : result)
+      for (const std::string& value : variation.values) {
+        longer.push_back(start);
+        longer.back().push_back(value);
+      }
+    result = std::move(longer);
+  }
+  return result;
 }
 
 template <int D>
@@ -53,6 +81,15 @@ void divide(PlannedRun& run) {
   const Particles<D> particles = build_particles<D>(run.scene);
   run.spacing = particles.spacing;
   run.particles = particles.size();
+}
+
+std::filesystem::path stem_of(const std::string& file) {
+  return std::filesystem::path(file).stem();
+}
+
+template <int D>
+bool same_particles(const Scene& a, const Scene& b) {
+  return build_particles<D>(a).X == build_particles<D>(b).X;
 }
 
 /// Builds all a run is made of and lets it go.
@@ -67,52 +104,163 @@ void check_buildable(const Scene& scene) {
   (void)Probes<D>(disc, probes);
 }
 
-void check_method(const std::vector<double>& spacings, const Scene& scene) {
-  const bool exact = scene.exact != ExactKind::none;
-  if (!exact && scene.probes.empty())
-    throw InputError(
-        {scene.file, 0, 0, ""},
-        "nothing to compare: neither reference.exact nor a [[probe]]; add one of them");
-  const std::size_t least = exact ? 2 : 3;
-  if (spacings.size() < least)
-    throw InputError(spacing_option,
-                     fmt::format("{} given; at least {}{}", spacings.size(), least,
-                                 exact ? "" : ", as the scene names no exact solution"));
-}
+/// Plans one series after the other.
+class Planner {
+ public:
+  explicit Planner(const ConvergenceRequest& request)
+      : request_(request),
+        spacings_(sorted_spacings(request.spacings)),
+        variations_(variations_of(request)) {
+    const bool clouds = !request.clouds.empty();
+    if (clouds && !spacings_.empty())
+      throw InputError(cloud_option, "a cloud has its spacing: give --spacing or --cloud");
+    if (clouds && !request.seeds.empty())
+      throw InputError(seed_option,
+                       "a cloud has no seed: give several clouds of equally many particles");
+    check_once(seed_option, request.seeds);
+    check_once(cloud_option, request.clouds);
+    if (!clouds && spacings_.size() < 2)
+      throw InputError(spacing_option, fmt::format("{} given; at least 2", spacings_.size()));
+  }
 
-}  // namespace
+  PlannedSeries series(const std::vector<std::string>& values) {
+    PlannedSeries series;
+    std::vector<std::string> chosen;  // overrides
+    std::string keys;
+    for (std::size_t v = 0; v < values.size(); ++v) {
+      chosen.push_back(variations_[v].key + "=" + values[v]);
+      if (variations_[v].key == "formulation") continue;
+      series.over.push_back(values[v]);
+      keys += " " + chosen.back();
+    }
+    series.levels = request_.clouds.empty() ? by_spacing(chosen) : by_cloud(chosen);
+    const Scene& coarsest = series.levels.front().front().scene;
+    series.formulation = name_of(coarsest.formulation);
+    series.label = series.formulation + keys;
+    std::string folder = series.label;
+    std::ranges::replace_if(
+        folder, [](char c) { return c == ' ' || c == '/'; }, '_');
+    for (auto& level : series.levels)
+      for (PlannedRun& run : level) run.folder = folder / run.folder;
+    check_levels(series.levels.size(), coarsest);
+    check_seeds(series.levels.front());
+    coarsest.dimension == 1 ? check_buildable<1>(coarsest) : check_buildable<2>(coarsest);
+    return series;
+  }
 
-ConvergencePlan plan_convergence(const ConvergenceRequest& request) {
-  const std::vector<double> spacings = sorted_spacings(request.spacings);
-  if (spacings.size() < 2)
-    throw InputError(spacing_option, fmt::format("{} given; at least 2", spacings.size()));
-  check_formulations(request.formulations);
-  std::vector<std::string> formulations = request.formulations;
-  if (formulations.empty()) formulations.emplace_back();
+ private:
+  /// The scene of one run. Frames are of no use to a study, unless the user asks for them; what the
+  /// study varies comes last, so that it wins.
+  Scene scene_of(std::vector<std::string> chosen) const {
+    std::vector<std::string> overrides = {"output.frames=0"};
+    overrides.insert(overrides.end(), request_.overrides.begin(), request_.overrides.end());
+    std::ranges::move(chosen, std::back_inserter(overrides));
+    return read_scene(request_.scene, overrides);
+  }
 
-  ConvergencePlan plan;
-  for (const std::string& formulation : formulations) {
-    std::vector<PlannedRun> runs;
-    for (const double spacing : spacings) {
+  std::vector<std::vector<PlannedRun>> by_spacing(const std::vector<std::string>& chosen) const {
+    std::vector<std::vector<PlannedRun>> levels;
+    for (const double spacing : spacings_) {
       PlannedRun run;
-      run.scene = scene_of(request, formulation, spacing);
-      if (runs.empty()) check_method(spacings, run.scene);
-      run.folder =
-          std::filesystem::path(name_of(run.scene.formulation)) / fmt::format("{}", spacing);
+      std::vector<std::string> overrides = chosen;
+      overrides.push_back(fmt::format("body.spacing={}", spacing));
+      run.scene = scene_of(overrides);
+      if (levels.empty()) check_levels(spacings_.size(), run.scene);
+      run.folder = fmt::format("{}", spacing);
       run.scene.dimension == 1 ? divide<1>(run) : divide<2>(run);
-      if (!runs.empty() && !(run.spacing < runs.back().spacing * (1.0 - 1e-9)))
+      if (!levels.empty() && !(run.spacing < levels.back().front().spacing * (1.0 - 1e-9)))
         throw InputError(spacing_option,
                          fmt::format("{} divides the body like the spacing before it, into {}; "
                                      "leave one out",
                                      spacing, run.spacing));
+      levels.push_back(request_.seeds.empty() ? std::vector{run} : seeded(run, overrides));
+    }
+    return levels;
+  }
+
+  std::vector<PlannedRun> seeded(const PlannedRun& run, std::vector<std::string> overrides) const {
+    std::vector<PlannedRun> samples(request_.seeds.size(), run);
+    overrides.emplace_back();
+    for (std::size_t k = 0; k < samples.size(); ++k) {
+      samples[k].sample = fmt::format("{}", request_.seeds[k]);
+      overrides.back() = "body.seed=" + samples[k].sample;
+      samples[k].scene = scene_of(overrides);
+      samples[k].folder /= "seed-" + samples[k].sample;
+    }
+    return samples;
+  }
+
+  std::vector<std::vector<PlannedRun>> by_cloud(const std::vector<std::string>& chosen) const {
+    std::vector<PlannedRun> runs;
+    for (const std::string& cloud : request_.clouds) {
+      PlannedRun run;
+      const auto namesakes = std::ranges::count(
+          runs, stem_of(cloud), [](const PlannedRun& other) { return stem_of(other.sample); });
+      std::vector<std::string> overrides = chosen;
+      // Quoted: a path is a text, whatever it looks like.
+      overrides.push_back(
+          fmt::format("body.cloud='{}'", std::filesystem::absolute(cloud).string()));
+      run.scene = scene_of(overrides);
+      run.scene.body.spacing = 0.0;  // its own, not one for all
+      run.sample = cloud;
+      run.folder = stem_of(cloud);
+      if (namesakes > 0) run.folder += fmt::format("-{}", namesakes + 1);
+      run.scene.dimension == 1 ? divide<1>(run) : divide<2>(run);
       runs.push_back(std::move(run));
     }
-    const Scene& coarsest = runs.front().scene;
-    coarsest.dimension == 1 ? check_buildable<1>(coarsest) : check_buildable<2>(coarsest);
-    plan.method =
-        coarsest.exact != ExactKind::none ? ConvergenceMethod::exact : ConvergenceMethod::probes;
-    plan.runs.push_back(std::move(runs));
+    std::ranges::stable_sort(runs, {}, &PlannedRun::particles);
+    std::vector<std::vector<PlannedRun>> levels;
+    for (PlannedRun& run : runs) {
+      if (levels.empty() || levels.back().front().particles != run.particles) levels.emplace_back();
+      levels.back().push_back(std::move(run));
+    }
+    return levels;
   }
+
+  void check_levels(std::size_t levels, const Scene& scene) const {
+    const bool exact = scene.exact != ExactKind::none;
+    if (!exact && scene.probes.empty())
+      throw InputError(
+          {scene.file, 0, 0, ""},
+          "nothing to compare: neither reference.exact nor a [[probe]]; add one of them");
+    check_value_names(request_.values, scene);
+    const bool clouds = !request_.clouds.empty();
+    const std::size_t least = exact ? 2 : 3;
+    if (levels < least)
+      throw InputError(clouds ? cloud_option : spacing_option,
+                       fmt::format("{} {}; at least {}{}", levels,
+                                   clouds ? "different numbers of particles" : "given", least,
+                                   exact ? "" : ", as the scene names no exact solution"));
+  }
+
+  void check_seeds(const std::vector<PlannedRun>& samples) const {
+    if (request_.seeds.size() < 2) return;
+    const Scene& a = samples[0].scene;
+    const Scene& b = samples[1].scene;
+    if (a.dimension == 1 ? same_particles<1>(a, b) : same_particles<2>(a, b))
+      throw InputError(seed_option,
+                       "the particles do not depend on it; move them, with body.jitter=0.2");
+  }
+
+  const ConvergenceRequest& request_;
+  std::vector<double> spacings_;
+  std::vector<Variation> variations_;
+};
+
+}  // namespace
+
+ConvergencePlan plan_convergence(const ConvergenceRequest& request) {
+  Planner planner(request);
+  ConvergencePlan plan;
+  for (const std::vector<std::string>& values : combinations(variations_of(request)))
+    plan.series.push_back(planner.series(values));
+  const auto exact = [](const PlannedSeries& series) {
+    return series.levels.front().front().scene.exact != ExactKind::none;
+  };
+  plan.method = exact(plan.series.front()) ? ConvergenceMethod::exact : ConvergenceMethod::probes;
+  for (const PlannedSeries& series : plan.series)
+    if (exact(series) != exact(plan.series.front()))
+      throw InputError("some series have an exact solution, some have none: one study each");
   return plan;
 }
 

@@ -12,18 +12,25 @@ namespace tlsph {
 /// One run to come.
 struct PlannedRun {
   Scene scene;
-  std::filesystem::path folder;  ///< <formulation>/<spacing>, as asked for
-  double spacing = 0.0;          ///< [m], as it divides the body
+  std::string sample;            ///< seed or file of the cloud; empty: alone on its level
+  std::filesystem::path folder;  ///< <series>/<spacing as asked for>[/<sample>]
+  double spacing = 0.0;  ///< [m], as it divides the body; the one it is estimated at of a cloud
   Index particles = 0;
+};
+
+struct PlannedSeries {
+  std::string label, formulation;
+  std::vector<std::string> over;                ///< values of the compared keys
+  std::vector<std::vector<PlannedRun>> levels;  ///< from coarse to fine, each of samples
 };
 
 struct ConvergencePlan {
   ConvergenceMethod method = ConvergenceMethod::exact;
-  std::vector<std::vector<PlannedRun>> runs;  ///< by formulation, each from coarse to fine
+  std::vector<PlannedSeries> series;
 };
 
-/// Reads every scene of the study, divides its body and builds the coarsest of each formulation, so
-/// that what cannot run is refused here. Throws InputError.
+/// Reads every scene of the study, divides its body and builds the coarsest of each series, so that
+/// what cannot run is refused here. Throws InputError.
 [[nodiscard]] ConvergencePlan plan_convergence(const ConvergenceRequest& request);
 
 }  // namespace tlsph

@@ -1,21 +1,13 @@
-// A convergence study on the screen and in its files.
+// A convergence study on the screen.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
-#include "tlsph/io/csv.hpp"
-#include "tlsph/io/files.hpp"
-#include "tlsph/io/json.hpp"
 #include "tlsph/studies/converge.hpp"
 
 namespace tlsph {
 namespace {
-
-std::string method_name(ConvergenceMethod method) {
-  return method == ConvergenceMethod::exact ? "exact" : "probes";
-}
 
 std::string method_text(ConvergenceMethod method) {
   return method == ConvergenceMethod::exact
@@ -29,9 +21,14 @@ std::string number(double value, const char* format) {
   return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "-";
 }
 
-/// A cell of the CSV: 17 digits, nothing where there is no number.
-std::string cell(double value) {
-  return std::isfinite(value) ? fmt::format("{:.17g}", value) : "";
+std::string with_error(const OrderFit& fit) {
+  std::string order = number(fit.order, "{:.2f}");
+  if (std::isfinite(fit.standard_error)) order += fmt::format(" ±{:.2f}", fit.standard_error);
+  return order;
+}
+
+std::string ended(std::string line) {
+  return line.erase(line.find_last_not_of(' ') + 1) + "\n";
 }
 
 /// Width of a quantity's value; its order follows in `order_width` more.
@@ -40,124 +37,129 @@ std::size_t value_width(const std::string& quantity) {
 }
 constexpr std::size_t order_width = 7;
 
-std::string header(const ConvergenceTable& table, const std::string& formulation) {
-  std::string text = fmt::format("\n{}\n{:>12} {:>12} {:>10} {:>13}", formulation, "spacing [m]",
-                                 "particles", "steps", "wall time [s]");
-  for (const std::string& quantity : table.quantities)
-    text += fmt::format("  {:>{}}{:>{}}", quantity, value_width(quantity), "order", order_width);
-  return text + "\n";
-}
+/// A series of one run a level: all quantities side by side.
+class SingleRuns {
+ public:
+  SingleRuns(const ConvergenceTable& table, const std::string& series)
+      : table_(table), series_(series) {}
 
-std::string line_of(const ConvergenceRow& row, const std::vector<std::string>& quantities) {
-  std::string text = fmt::format("{:>12.6g} {:>12} ", row.spacing, row.particles);
-  if (!row.failure.empty()) return text + fmt::format("failed: {}\n", row.failure);
-  text += fmt::format("{:>10} {:>13.3g}", row.steps, row.wall_seconds);
-  for (std::size_t q = 0; q < quantities.size(); ++q)
-    text += fmt::format("  {:>{}}{:>{}}", number(row.errors[q], "{:.3e}"),
-                        value_width(quantities[q]), number(row.orders[q], "{:.2f}"), order_width);
-  return text + "\n";
-}
-
-/// Fitted orders below their columns, and what they say of the finest run.
-std::string footer(const ConvergenceTable& table, const std::string& formulation) {
-  std::string orders = fmt::format("{:>50}", "fitted order");
-  std::string left = fmt::format("{:>50}", "estimated error of the finest run");
-  bool any_order = false;
-  bool any_left = false;
-  for (const ConvergenceFit& entry : table.fits) {
-    if (entry.formulation != formulation) continue;
-    std::string order = number(entry.fit.order, "{:.2f}");
-    if (std::isfinite(entry.fit.standard_error))
-      order += fmt::format(" ±{:.2f}", entry.fit.standard_error);
-    orders += fmt::format("  {:>{}}", order, value_width(entry.quantity) + order_width);
-    left += fmt::format("  {:>{}}{:{}}", number(entry.finest_error, "{:.3e}"),
-                        value_width(entry.quantity), "", order_width);
-    any_order = any_order || std::isfinite(entry.fit.order);
-    any_left = any_left || std::isfinite(entry.finest_error);
+  [[nodiscard]] std::string text() const {
+    std::string text = header();
+    for (const ConvergenceRow& row : table_.rows)
+      if (row.series == series_) text += line_of(row);
+    return text + footer();
   }
-  const auto ended = [](std::string line) {
-    return line.erase(line.find_last_not_of(' ') + 1) + "\n";
-  };
-  return (any_order ? ended(orders) : "") + (any_left ? ended(left) : "");
-}
 
-std::string csv_text(const ConvergenceTable& table) {
-  std::string csv = "spacing,particles,steps,dt,wall_seconds,formulation";
-  const auto end = std::back_inserter(csv);
-  for (const std::string& quantity : table.quantities) fmt::format_to(end, ",{}", quantity);
-  for (const std::string& quantity : table.quantities) fmt::format_to(end, ",order_{}", quantity);
-  csv.append(",failure\n");
-  for (const ConvergenceRow& row : table.rows) {
-    fmt::format_to(end, "{:.17g},{},{},{},{},{}", row.spacing, row.particles, row.steps,
-                   cell(row.dt), cell(row.wall_seconds), row.formulation);
-    for (const double error : row.errors) fmt::format_to(end, ",{}", cell(error));
-    for (const double order : row.orders) fmt::format_to(end, ",{}", cell(order));
-    fmt::format_to(end, ",{}\n", csv_field(row.failure));
+ private:
+  [[nodiscard]] std::string header() const {
+    std::string text = fmt::format("\n{}\n{:>12} {:>12} {:>10} {:>13}", series_, "spacing [m]",
+                                   "particles", "steps", "wall time [s]");
+    for (const std::string& quantity : table_.quantities)
+      text += fmt::format("  {:>{}}{:>{}}", quantity, value_width(quantity), "order", order_width);
+    return text + "\n";
   }
-  return csv;
+
+  [[nodiscard]] std::string line_of(const ConvergenceRow& row) const {
+    std::string text = fmt::format("{:>12.6g} {:>12} ", row.spacing, row.particles);
+    if (!row.failure.empty()) return text + fmt::format("failed: {}\n", row.failure);
+    text += fmt::format("{:>10} {:>13.3g}", row.steps, row.wall_seconds);
+    for (std::size_t q = 0; q < table_.quantities.size(); ++q)
+      text += fmt::format("  {:>{}}{:>{}}", number(row.errors[q], "{:.3e}"),
+                          value_width(table_.quantities[q]), number(row.orders[q], "{:.2f}"),
+                          order_width);
+    return text + "\n";
+  }
+
+  /// Fitted orders below their columns, and what they say of the finest run.
+  [[nodiscard]] std::string footer() const {
+    std::string orders = fmt::format("{:>50}", "fitted order");
+    std::string left = fmt::format("{:>50}", "estimated error of the finest run");
+    bool any_order = false;
+    bool any_left = false;
+    for (const ConvergenceFit& entry : table_.fits) {
+      if (entry.series != series_) continue;
+      const std::size_t width = value_width(entry.quantity);
+      orders += fmt::format("  {:>{}}", with_error(entry.fit), width + order_width);
+      left += fmt::format("  {:>{}}{:{}}", number(entry.finest_error, "{:.3e}"), width, "",
+                          order_width);
+      any_order = any_order || std::isfinite(entry.fit.order);
+      any_left = any_left || std::isfinite(entry.finest_error);
+    }
+    return (any_order ? ended(orders) : "") + (any_left ? ended(left) : "");
+  }
+
+  const ConvergenceTable& table_;
+  const std::string& series_;
+};
+
+/// A series of samples: a block a quantity, the median and the worst side by side.
+std::string samples_text(const ConvergenceTable& table, const std::string& series) {
+  std::string text;
+  for (std::size_t q = 0; q < table.quantities.size(); ++q) {
+    text += fmt::format("\n{}: {}\n{:>12} {:>12} {:>8} {:>12}{:>7} {:>12}{:>7} {:>13}\n", series,
+                        table.quantities[q], "spacing [m]", "particles", "runs", "median", "order",
+                        "worst", "order", "worst/best");
+    for (const ConvergenceLevel& level : table.levels) {
+      if (level.series != series) continue;
+      const Spread& spread = level.errors[q];
+      text += fmt::format("{:>12.6g} {:>12} {:>8} {:>12}{:>7} {:>12}{:>7} {:>13}", level.spacing,
+                          level.particles, level.runs, number(spread.median, "{:.3e}"),
+                          number(level.median_orders[q], "{:.2f}"), number(spread.worst, "{:.3e}"),
+                          number(level.worst_orders[q], "{:.2f}"),
+                          number(spread.worst / spread.best, "{:.2f}"));
+      if (level.failed > 0) text += fmt::format("  {} failed", level.failed);
+      text += "\n";
+    }
+    for (const ConvergenceFit& entry : table.fits) {
+      if (entry.series != series || entry.quantity != table.quantities[q]) continue;
+      if (std::isfinite(entry.fit.order))
+        text += ended(fmt::format("{:>34} {:>19} {:>19}", "fitted order", with_error(entry.fit),
+                                  with_error(entry.worst_fit)));
+      if (std::isfinite(entry.finest_error))
+        text +=
+            fmt::format("{:>34} {:>12.3e}\n", "estimated error of the finest", entry.finest_error);
+    }
+  }
+  return text;
 }
 
-Json row_json(const ConvergenceRow& row, const std::vector<std::string>& quantities) {
-  Json json;
-  json.set("formulation", row.formulation);
-  json.set("spacing", row.spacing);
-  json.set("particles", row.particles);
-  json.set("steps", row.steps);
-  json.set("dt", row.dt);
-  json.set("wall_seconds", row.wall_seconds);
-  for (std::size_t q = 0; q < quantities.size(); ++q) json.set(quantities[q], row.errors[q]);
-  for (std::size_t q = 0; q < quantities.size(); ++q)
-    json.set("order_" + quantities[q], row.orders[q]);
-  if (row.failure.empty())
-    json.set("failure", nullptr);
-  else
-    json.set("failure", row.failure);
-  return json;
-}
-
-Json fit_json(const ConvergenceFit& entry, ConvergenceMethod method) {
-  Json json;
-  json.set("formulation", entry.formulation);
-  json.set("quantity", entry.quantity);
-  json.set("order", entry.fit.order);
-  json.set("standard_error", entry.fit.standard_error);
-  json.set("log_constant", entry.fit.log_constant);
-  json.set("points", entry.fit.points);
-  if (method == ConvergenceMethod::probes) json.set("finest_error", entry.finest_error);
-  return json;
+/// Numbers read off the probes, finest and extrapolated.
+std::string values_text(const ConvergenceTable& table, const std::string& series) {
+  std::size_t width = 24;
+  for (const std::string& name : table.value_names) width = std::max(width, name.size());
+  std::string lines;
+  for (const ConvergenceValue& value : table.values) {
+    if (value.series != series || value.medians.empty()) continue;
+    // Beyond what a scheme has: the levels are too coarse to extrapolate from, or round-off.
+    const bool doubtful = value.order < 0.5 || value.order > 6.0;
+    lines += ended(fmt::format("{:>{}} {:>14.7g} {:>14} {:>7} {:>12}{}", value.name, width,
+                               value.medians.back(), number(value.limit, "{:.7g}"),
+                               number(value.order, "{:.2f}"), number(value.finest_error, "{:.3e}"),
+                               doubtful ? "  doubtful: not the order of a scheme" : ""));
+  }
+  if (lines.empty()) return "";
+  return fmt::format("{:>{}} {:>14} {:>14} {:>7} {:>12}\n", "read off the probes", width, "finest",
+                     "extrapolated", "order", "rel. error") +
+         lines;
 }
 
 }  // namespace
 
-std::string ConvergenceTable::text() const {
-  std::string text = method_text(method);
-  std::string formulation;
-  for (const ConvergenceRow& row : rows) {
-    if (row.formulation != formulation) {
-      if (!formulation.empty()) text += footer(*this, formulation);
-      formulation = row.formulation;
-      text += header(*this, formulation);
-    }
-    text += line_of(row, quantities);
-  }
-  if (!formulation.empty()) text += footer(*this, formulation);
-  if (interrupted) text += "\ninterrupted: the runs that were done\n";
-  return text;
+bool ConvergenceTable::sampled() const {
+  return std::ranges::any_of(levels, [](const ConvergenceLevel& level) { return level.runs > 1; });
 }
 
-void ConvergenceTable::write(const std::filesystem::path& directory) const {
-  write_text_file(directory / "convergence.csv", csv_text(*this));
-  Json json;
-  json.set("scene", scene);
-  json.set("version", version);
-  json.set("method", method_name(method));
-  json.set("quantities", quantities);
-  json.set("interrupted", interrupted);
-  json.make_list("rows");
-  for (const ConvergenceRow& row : rows) json.append("rows", row_json(row, quantities));
-  json.make_list("orders");
-  for (const ConvergenceFit& entry : fits) json.append("orders", fit_json(entry, method));
-  json.write(directory / "convergence.json");
+std::string ConvergenceTable::text() const {
+  std::string text = method_text(method);
+  std::vector<std::string> series;
+  for (const ConvergenceRow& row : rows)
+    if (series.empty() || series.back() != row.series) series.push_back(row.series);
+  for (const std::string& one : series) {
+    text += sampled() ? samples_text(*this, one) : SingleRuns(*this, one).text();
+    text += values_text(*this, one);
+  }
+  if (interrupted) text += "\ninterrupted: the runs that were done\n";
+  return text;
 }
 
 }  // namespace tlsph

@@ -1,16 +1,12 @@
 #include "tlsph/studies/figure.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <array>
-#include <cerrno>
 #include <cstdlib>
 #include <optional>
-#include <vector>
+
+#include "process.hpp"
 
 namespace tlsph {
 namespace {
@@ -29,27 +25,6 @@ fs::path plot_script() {
   if (const auto chosen = chosen_by("TLSPH_PLOT")) return *chosen;
   const fs::path folder = validation_folder();
   return folder.empty() ? folder : folder / "plot.py";
-}
-
-/// Runs a program with nothing to read and nothing to say; true if it exits with 0.
-bool runs(std::vector<std::string> words) {
-  std::vector<char*> argv;
-  for (std::string& word : words) argv.push_back(word.data());
-  argv.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  if (posix_spawn_file_actions_init(&actions) != 0) return false;
-  int failure = 0;
-  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-    failure |= posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", O_RDWR, 0);
-  pid_t child = 0;
-  if (failure == 0)
-    failure = posix_spawnp(&child, argv[0], &actions, nullptr, argv.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (failure != 0) return false;
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0)
-    if (errno != EINTR) return false;
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
 }  // namespace
@@ -77,10 +52,9 @@ Figure draw_figure(const std::string& kind, const fs::path& data, const fs::path
                   data.string());
   if (file != fs::path(data).replace_extension(".png")) figure.command += " --out " + file.string();
   if (script.empty()) return figure;
-  const bool system = access("/usr/bin/python3", X_OK) == 0;
   // -B: no byte code beside the scripts, which may lie where only the system writes.
-  figure.drawn = runs({system ? "/usr/bin/python3" : "python3", "-B", script.string(), kind,
-                       data.string(), "--out", figure.file.string()});
+  figure.drawn = run_process({python(), "-B", script.string(), kind, data.string(), "--out",
+                              figure.file.string()}) == 0;
   return figure;
 }
 

@@ -7,15 +7,11 @@
 #include "tlsph/scene/names.hpp"
 
 namespace tlsph {
-namespace {
 
-/// Whether `column`, "<probe>.<quantity>_<component>", belongs to the quantity.
-bool belongs(const std::string& column, const std::string& quantity) {
+bool belongs_to(const std::string& column, const std::string& quantity) {
   const std::string stem = column.substr(column.rfind('.') + 1);
   return stem == quantity || stem.starts_with(quantity + "_");
 }
-
-}  // namespace
 
 std::vector<std::string> recorded_quantities(const Scene& scene) {
   std::vector<std::string> names;
@@ -36,7 +32,7 @@ std::vector<std::vector<double>> probe_differences(const std::vector<std::string
   std::vector<double> scale(quantities.size(), 0.0);
   for (std::size_t column = 0; column < finest.names.size(); ++column)
     for (std::size_t q = 0; q < quantities.size(); ++q) {
-      if (!belongs(finest.names[column], quantities[q])) continue;
+      if (!belongs_to(finest.names[column], quantities[q])) continue;
       scale[q] += squared_norm(finest.time, finest.values[column]);
       std::vector<double> finer = finest.values[column];
       for (std::size_t k = runs - 1; k-- > 0;) {

@@ -33,7 +33,8 @@ class CommandLine(ProgramTest):
         done = self.tlsph("--help")
 
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-        for command in ("run", "plan", "export", "converge", "stability", "validate", "scene-reference"):
+        for command in ("run", "plan", "export", "converge", "chart", "stability", "validate", "benchmark",
+                        "scene-reference"):
             self.assertRegex(done.stdout, rf"(?m)^  {command} ")
 
     def test_help_of_a_command(self):
@@ -53,7 +54,7 @@ class CommandLine(ProgramTest):
         done = self.tlsph("scene-reference")
 
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-        self.assertRegex(done.stdout, r"(?m)^  spacing +number \[m\], required$")
+        self.assertRegex(done.stdout, r"(?m)^  end +number \[s\], required$")
         self.assertEqual(self.listing(), [])
 
     def test_plan_runs_nothing(self):

@@ -128,6 +128,91 @@ class Table(Convergence):
                 float(rows[k]["displacement"]) / (norm(q[k] - q[k + 1]) / norm(q[2])), 1.0, delta=0.05
             )
 
+    def test_compared_keys_and_seeds(self):
+        done = self.converge(
+            "--spacing", "0.1,0.05", "--formulation", "consistent,variational", "--over", "kernel.support=2.1,2.6",
+            "--seed", "1,2,3", "--out", "study", "--set", "body.jitter=0.2",
+            scene=(SOURCE / "examples/swinging_plate.toml").read_text(encoding="utf-8"),
+        )
+
+        rows = self.rows()
+        self.assertEqual(len(rows), 2 * 2 * 2 * 3)
+        self.assertEqual(
+            [(row["formulation"], row["kernel.support"], row["body.seed"]) for row in rows[:7]],
+            [("consistent", "2.1", seed) for seed in "123123"] + [("consistent", "2.6", "1")],
+        )
+        with open(self.folder / "study/spread.csv", encoding="utf-8", newline="") as file:
+            levels = list(csv.DictReader(file))
+        for level in levels:
+            errors = sorted(
+                float(row[level["quantity"]]) for row in rows
+                if row["spacing"] == level["spacing"]
+                and f"{row['formulation']} kernel.support={row['kernel.support']}" == level["series"]
+            )
+            self.assertEqual([float(level[name]) for name in ("best", "median", "worst")], errors)
+        orders = {(order["series"], order["quantity"]): order for order in self.report()["orders"]}
+        self.assertEqual(len(orders), 4 * 3)
+        finest = levels[3:6]
+        coarse = levels[0:3]
+        for a, b in zip(coarse, finest):
+            order = orders[(a["series"], a["quantity"])]
+            self.assertAlmostEqual(order["order"], np.log2(float(a["median"]) / float(b["median"])), places=9)
+            self.assertAlmostEqual(order["order_worst"], np.log2(float(a["worst"]) / float(b["worst"])), places=9)
+        self.assertIn("consistent kernel.support=2.1: velocity", done.stdout)
+        self.assertIn("worst/best", done.stdout)
+
+    def write_cloud(self, name, n, seed):
+        """Points of a lattice of n x n cells on the unit square, the inner ones moved by up to 0.2 of the spacing."""
+        points = np.stack(np.meshgrid(*2 * [np.arange(n + 1) / n], indexing="ij"), axis=-1).reshape(-1, 2)
+        inner = np.all((points > 0) & (points < 1), axis=1)
+        points[inner] += np.random.default_rng(seed).uniform(-0.2 / n, 0.2 / n, (inner.sum(), 2))
+        self.write(name, "x,y\n" + "".join(f"{x:.17g},{y:.17g}\n" for x, y in points))
+
+    def test_clouds(self):
+        for n in (8, 16):
+            for seed in (1, 2):
+                self.write_cloud(f"{n}-{seed}.csv", n, seed)
+
+        done = self.converge(
+            "--cloud", "16-1.csv,8-1.csv,8-2.csv,16-2.csv", "--out", "study", "--formulation", "consistent",
+            "--set", "stabiliser.kind=pair",
+            scene=(SOURCE / "examples/swinging_plate.toml").read_text(encoding="utf-8"),
+        )
+
+        rows = self.rows()
+        self.assertEqual([(row["body.cloud"], row["particles"]) for row in rows],
+                         [("8-1.csv", "81"), ("8-2.csv", "81"), ("16-1.csv", "289"), ("16-2.csv", "289")])
+        np.testing.assert_allclose(self.numbers(rows, "spacing"), [1 / 8, 1 / 8, 1 / 16, 1 / 16], rtol=1e-12)
+        self.assertEqual([level["runs"] for level in self.report()["levels"]], [2, 2])
+        for order in self.report()["orders"]:
+            self.assertGreater(order["order"], 1.5, order)
+            self.assertGreater(order["order_worst"], 1.5, order)
+        self.assertIn("consistent: velocity", done.stdout)
+
+    def test_values_are_extrapolated(self):
+        # The first mode of a plane-stress bar that is fixed on the left swings with 4 L/sqrt(E/rho).
+        bar = SMOOTH.replace('[reference]\nexact = "bar-wave"\n', "").replace("end = 2e-2", "end = 0.5")
+        bar = bar.replace('[material]\n', '[material]\nassumption = "stress"\n').replace("poisson = 0.3", "poisson = 0")
+        bar = re.sub(r"traction = .*", 'traction = { curve = "sine-squared", amplitude = 1e3, duration = 0.1265 }', bar)
+
+        done = self.converge("--spacing", "0.1,0.05,0.025", "--out", "study", "--value",
+                             "tip.displacement_x.max,tip.displacement_x.end", scene=bar)
+
+        values = {value["name"]: value for value in self.report()["values"]}
+        self.assertEqual(list(values), ["tip.displacement_x.max", "tip.displacement_x.end"])
+        rows = self.rows()
+        for name, value in values.items():
+            f = np.array(value["value"])
+            self.assertEqual([float(row[name]) for row in rows], list(f))
+            if value["order"] is not None:
+                ratio = 2.0 ** value["order"]
+                self.assertAlmostEqual(abs((f[1] - f[0]) / (f[2] - f[1])) / ratio, 1.0, places=9)
+                self.assertAlmostEqual(value["extrapolated"] / (f[2] + (f[2] - f[1]) / (ratio - 1)), 1.0, places=9)
+        self.assertIsNotNone(values["tip.displacement_x.max"]["order"])
+        self.assertRegex(done.stdout, r"tip\.displacement_x\.max +\d")
+        extrapolated = self.folder / "study/stress-point/probes_extrapolated.csv"
+        self.assertEqual(extrapolated.read_text(encoding="utf-8").split("\n")[0].split(",")[0], "time")
+
     def test_set_reaches_every_run(self):
         self.converge("--spacing", "0.1,0.05", "--set", "time.end=1e-2", "--out", "study")
 
@@ -175,6 +260,14 @@ class Figures(Convergence):
         self.assertEqual((self.folder / "study/convergence.png").read_bytes()[:4], b"\x89PNG")
         self.assertIn("study/convergence.png", done.stdout)
 
+    def test_figure_of_samples(self):
+        self.converge(
+            "--spacing", "0.1,0.05", "--seed", "1,2,3", "--out", "study", "--set", "body.jitter=0.2",
+            "--set", "formulation=consistent", env=dict(os.environ, TLSPH_PLOT=str(SOURCE / "validation/plot.py")),
+        )
+
+        self.assertEqual((self.folder / "study/convergence.png").read_bytes()[:4], b"\x89PNG")
+
     def test_no_figure_says_how(self):
         done = self.converge("--spacing", "0.1,0.05", "--out", "study", env=self.without_figure())
 
@@ -207,6 +300,17 @@ class Refusals(Convergence):
             ([*two, "--set", "material.poisson=0.5"], SMOOTH, "poisson"),
             ([*two, "--set", "no.such=1"], SMOOTH, "no"),
             ([*two, "--threads", "0"], SMOOTH, "--threads"),
+            ([*two, "--seed", "1,2"], SMOOTH, "--seed: the particles do not depend on it"),
+            ([*two, "--seed", "1,x"], SMOOTH, "--seed"),
+            ([*two, "--over", "kernel.support"], SMOOTH, "key=a,b"),
+            ([*two, "--over", "body.spacing=0.1,0.2"], SMOOTH, "--spacing"),
+            ([*two, "--over", "kernel.suport=2,3"], SMOOTH, "kernel.suport"),
+            ([*two, "--value", "tip.cauchy_xx"], SMOOTH, "--value"),
+            ([*two, "--value", "top.cauchy_xx.max"], SMOOTH, "no probe records top.cauchy_xx"),
+            ([*two, "--cloud", "a.csv,b.csv"], SMOOTH, "--cloud"),
+            (["--cloud", "a.csv,b.csv"], SMOOTH, "there is no file"),
+            (["--cloud", "a.csv,a.csv"], SMOOTH, "--cloud: a.csv stands twice"),
+            (["--cloud", "a.csv,b.csv", "--seed", "1,2"], SMOOTH, "--seed: a cloud has no seed"),
             (two, free, "at least 3"),
             (["--spacing", "0.1,0.05,0.025"], blind, "nothing to compare"),
             (two, "dimension = 7", "dimension"),

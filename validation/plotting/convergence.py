@@ -1,8 +1,10 @@
 """Errors against the spacing on logarithmic axes, with fitted orders.
 
 Reads convergence.csv (a header with spacing and a column an error, such as displacement, velocity,
-stress; optionally particles and formulation) or the same as JSON: a list of such rows, alone or under
-the key "rows". The order beside each line is the slope of a least-squares fit over all its points.
+stress; optionally particles, formulation and columns between that and the errors, which tell series
+apart) or the same as JSON: a list of such rows, alone or under the key "rows". Several runs at one
+spacing (column body.seed or body.cloud) are drawn as their median with a band from the best to the
+worst. The order beside each line is the slope of a least-squares fit over all its points.
 """
 
 import json
@@ -14,7 +16,9 @@ import numpy as np
 from plotting.data import PlotError, listing, need, table
 from plotting.style import COLOURS, INK, WIDTH, prefix, readable_log_axis
 
-NOT_ERRORS = {"spacing", "particles", "points", "steps", "dt", "wall_seconds", "formulation", "end_time"}
+NOT_ERRORS = {"spacing", "particles", "points", "steps", "dt", "wall_seconds", "formulation", "end_time", "series",
+              "sample"}
+SAMPLES = {"body.seed", "body.cloud", "sample"}
 MARKERS = "osD^v<>"
 
 
@@ -48,7 +52,7 @@ def errors(data, path, wanted):
     if "spacing" not in data:
         raise PlotError(f"{path}: no column spacing; it has: {listing(data)}")
     names = [name for name, values in data.items() if name not in NOT_ERRORS and not isinstance(values, list)
-             and "order" not in name and np.any(values > 0.0)]
+             and "." not in name and "order" not in name and np.any(values > 0.0)]
     for name in wanted or ():
         if name not in names:
             raise PlotError(f"{path}: no error {name}; it has: {listing(names)}")
@@ -56,6 +60,36 @@ def errors(data, path, wanted):
     if not names:
         raise PlotError(f"{path}: no column holds errors; it has: {listing(data)}")
     return names
+
+
+def series(data):
+    """What each row belongs to, for people: its formulation and the keys that are compared, 'mirror support 2.5'."""
+    if "series" in data:
+        return np.array(data["series"])
+    names = list(data)
+    rows = len(data["spacing"])
+    labels = list(data["formulation"]) if isinstance(data.get("formulation"), list) else [""] * rows
+    if "formulation" in data:
+        for name in names[names.index("formulation") + 1:]:
+            if "order_" + name in data:  # the errors begin
+                break
+            if name not in SAMPLES:
+                word = name.rpartition(".")[2]
+                cells = data[name] if isinstance(data[name], list) else [f"{value:g}" for value in data[name]]
+                labels = [f"{label} {word} {cell}" for label, cell in zip(labels, cells)]
+    return np.array(labels)
+
+
+def median_and_range(h, e, failed, level):
+    """(spacing, best, median, worst) by level, finest first; a failed run is worse than any, and drawn nowhere."""
+    levels = []
+    for here in (level == one for one in np.unique(level)):
+        spacing = np.median(h[here])
+        values = np.where(failed[here], np.inf, e[here])
+        values = np.sort(values[values > 0.0])
+        if len(values) and np.isfinite(median := np.median(values)):
+            levels.append((spacing, values[0], median, values[-1]))
+    return np.array(sorted(levels)).reshape(-1, 4).T
 
 
 def slope_triangle(axes, h, e, order, colour):
@@ -72,9 +106,12 @@ def draw(options):
     path = options.file
     data = columns(path)
     names = errors(data, path, options.quantity)
-    groups = np.array(data["formulation"]) if isinstance(data.get("formulation"), list) else np.full(
-        len(data["spacing"]), "")
+    groups = series(data)
     kinds = list(dict.fromkeys(groups))
+    failure = data.get("failure")
+    failed = np.array([bool(text) and text != "None" for text in failure]) if isinstance(failure, list) else np.zeros(
+        len(groups), bool)
+    levels = data["particles"] if "particles" in data else data["spacing"]  # clouds: one spacing but for round-off
     scale, unit = prefix(data["spacing"], "m")
 
     across = min(len(names), 3)
@@ -85,12 +122,16 @@ def draw(options):
         axes.set_visible(False)
     for axes, name in zip(all_axes.flat, names):
         for k, kind in enumerate(kinds):
-            keep = (groups == kind) & np.isfinite(data[name]) & (data[name] > 0.0)
-            by_spacing = np.argsort(data["spacing"][keep])
-            h, e = scale * data["spacing"][keep][by_spacing], data[name][keep][by_spacing]
+            mine = groups == kind
+            h, best, e, worst = median_and_range(scale * data["spacing"][mine], data[name][mine], failed[mine],
+                                                 levels[mine])
+            if not len(h):
+                continue
             colour = COLOURS[k % len(COLOURS)]
             axes.loglog(h, e, marker=MARKERS[k % len(MARKERS)], markersize=5, color=colour, label=kind)
-            if len(np.unique(h)) > 1:
+            if np.any(worst > best):
+                axes.fill_between(h, best, np.where(np.isfinite(worst), worst, e), color=colour, alpha=0.2, linewidth=0)
+            if len(h) > 1:
                 slope_triangle(axes, h, e, np.polyfit(np.log(h), np.log(e), 1)[0], colour)
         axes.set_title(f"{name.replace('_', ' ')}", loc="left")
         axes.set_xlabel(f"spacing $\\Delta$ [{unit}]")
@@ -99,13 +140,13 @@ def draw(options):
         plain_ticks(axes, scale * data["spacing"])
         readable_log_axis(axes.yaxis, data[name])
     for axes in all_axes[:, 0]:
-        axes.set_ylabel("relative error")
+        axes.set_ylabel("relative error" + (", median and range" if SAMPLES & set(data) else ""))
     if len(kinds) > 1:
         # Wider than its axes: kept out of the layout, which it would stretch; a blank line above the titles holds
         # its place.
         first = all_axes[0, 0]
-        first.set_title(" \n" + first.get_title(loc="left"), loc="left")
-        first.legend(ncols=len(kinds), loc="lower left", bbox_to_anchor=(0, 1.07),
+        first.set_title(" \n" * -(-len(kinds) // 4) + first.get_title(loc="left"), loc="left")
+        first.legend(ncols=min(len(kinds), 4), loc="lower left", bbox_to_anchor=(0, 1.07),
                      borderaxespad=0.2).set_in_layout(False)
     return figure, path.with_suffix(".png")
 

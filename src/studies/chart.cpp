@@ -1,0 +1,277 @@
+#include "tlsph/studies/chart.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "chart_answers.hpp"
+#include "chart_families.hpp"
+#include "chart_plan.hpp"
+#include "peers.hpp"
+#include "probe_values.hpp"
+#include "tlsph/core/error.hpp"
+#include "tlsph/io/files.hpp"
+#include "tlsph/scene/reader.hpp"
+#include "tlsph/simulation/version.hpp"
+#include "tlsph/studies/chart_search.hpp"
+
+namespace tlsph {
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+/// Parts of the budget: peers, when there are any; a first look at every family; the front's times
+/// once more.
+constexpr double peer_share = 0.3, screening_share = 0.35, repetition_share = 0.12;
+/// What a prediction may err by before a family is given up.
+constexpr double margin = 1.25;
+/// A run shorter than this is repeated at once: its time is noise.
+constexpr double short_run = 0.02;  // [s]
+constexpr std::size_t first_repetitions = 3, repetitions = 5;
+/// Finer spacings at which a family is tried that the coarsest does not allow.
+constexpr std::size_t later_starts = 2;
+
+/// A family on its way down the ladder.
+struct Contender {
+  ChartFamily family;
+  std::vector<Measured> runs;
+  std::size_t next = 0;  ///< rung to come
+  bool out = false;      ///< refused or failed
+};
+
+class ChartStudy {
+ public:
+  ChartStudy(const ChartRequest& request, const ChartPlan& plan, const ChartOptions& options)
+      : request_(request), plan_(plan), options_(options) {
+    table_.scene = plan.scene.file;
+    table_.version = version();
+    table_.budget = request.budget;
+    table_.threads = options.threads;
+    table_.quantities = plan.quantities;
+    table_.answers = plan.answers;
+    for (ChartFamily& family : chart_families(plan.scene.dimension, request.formulations))
+      contenders_.push_back({std::move(family), {}, 0, false});
+    table_.families = static_cast<int>(contenders_.size());
+    make_output_directory(options.out);
+  }
+
+  ChartTable run() {
+    const std::vector<double> answers = find_answers(
+        request_, plan_.scene.body.spacing, options_.threads, options_.out / "answer",
+        [&] { show("extrapolating the answer"); }, options_.stop_requested);
+    std::ranges::copy(answers, table_.answers.end() - std::ssize(answers));
+    const double peers_until = spent() + peer_share * request_.budget;
+    for (std::size_t k = 0; k < request_.peers.size(); ++k)
+      run_ladder_of(request_.peers[k], peers_until, static_cast<double>(request_.peers.size() - k));
+    const double start = spent();
+    const double searching = request_.budget * (1.0 - repetition_share) - start;
+    screen(start + screening_share * searching);
+    refine(start + searching);
+    repeat_front();
+    table_.interrupted = stopped();
+    write();
+    return table_;
+  }
+
+ private:
+  [[nodiscard]] double spent() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  }
+  [[nodiscard]] bool stopped() const {
+    return options_.stop_requested != nullptr && *options_.stop_requested;
+  }
+  void show(const std::string& what) const {
+    if (options_.progress) options_.progress(what, std::min(1.0, spent() / request_.budget));
+  }
+
+  /// A peer at one spacing after the other for half of its share of what is left; then its times
+  /// once more. Its first run may take all of it: a slow peer has one point.
+  void run_ladder_of(const std::string& peer, double all_until, double sharers) {
+    const double share = std::max(0.0, all_until - spent()) / sharers;
+    const double half = spent() + 0.5 * share;
+    const double until = spent() + share;
+    const std::size_t first = table_.points.size();
+    std::vector<Measured> runs;
+    for (const double spacing : plan_.ladder) {
+      if (!runs.empty() && spent() + cost_of_peer(runs, spacing) > half) break;
+      const double before = spent();
+      PeerRun run = call(peer, spacing, runs.empty() ? all_until : until);
+      if (!run.unable.empty()) {
+        if (runs.empty()) table_.notes.push_back(run.unable);
+        break;
+      }
+      run.point.setup_seconds = std::max(0.0, spent() - before - run.point.time());
+      runs.push_back({spacing, run.point.setup_seconds, run.point.time(), run.point.errors});
+      add(std::move(run.point));
+    }
+    for (std::size_t round = 1; round < first_repetitions; ++round)
+      for (std::size_t k = first; k < table_.points.size(); ++k) {
+        ChartPoint& point = table_.points[k];
+        if (spent() + point.setup_seconds + point.time() > until) continue;
+        const PeerRun again = call(peer, point.spacing, until);
+        if (again.unable.empty()) point.seconds.push_back(again.point.time());
+      }
+  }
+
+  /// Of its next run: most of a short one is its start, which does not grow until it is seen to.
+  [[nodiscard]] double cost_of_peer(const std::vector<Measured>& runs, double spacing) const {
+    const double before = runs.size() > 1 ? runs[runs.size() - 2].setup : runs.back().setup;
+    const double growth = std::clamp(runs.back().setup / before, 1.0, 10.0);
+    return growth * runs.back().setup + predict(runs, spacing, plan_.scene.dimension).stepping;
+  }
+
+  [[nodiscard]] PeerRun call(const std::string& peer, double spacing, double until) const {
+    show(fmt::format("{} at {:.4g} m", peer, spacing));
+    return run_peer(peer, plan_.scene, spacing, table_, options_.out / "peers", until - spent(),
+                    options_.stop_requested);
+  }
+
+  /// Every family at the coarsest spacing it can be built at.
+  void screen(double until) {
+    for (Contender& contender : contenders_) {
+      if (stopped() || spent() > until) return;
+      const std::size_t last = std::min(later_starts + 1, plan_.ladder.size());
+      while (contender.next < last && !advance(contender, until)) {
+      }
+      if (!contender.runs.empty() || contender.out) continue;
+      contender.out = true;
+      if (!stopped() && spent() < until) ++table_.refused;  // else there was no time to see
+    }
+  }
+
+  /// The most promising refinement, until nothing promises anything or the time is over.
+  void refine(double until) {
+    while (!stopped()) {
+      std::vector<Measured> all;
+      for (const Contender& contender : contenders_)
+        std::ranges::move(judged(contender.runs, table_.single_numbers()), std::back_inserter(all));
+      std::vector<Prospect> prospects;
+      table_.dominated = 0;
+      for (const Contender& contender : contenders_) {
+        prospects.emplace_back();
+        if (contender.out || contender.runs.empty() || contender.next >= plan_.ladder.size())
+          continue;
+        const Predicted run =
+            predict(contender.runs, plan_.ladder[contender.next], plan_.scene.dimension);
+        prospects.back() = {promise(run, all, margin), run.cost()};
+        table_.dominated += prospects.back().promise > 0.0 ? 0 : 1;
+      }
+      const std::optional<std::size_t> best = best_prospect(prospects, until - spent());
+      if (!best) return;
+      (void)advance(contenders_[*best], request_.budget);
+    }
+  }
+
+  /// Runs a family at its next spacing. False if the scene does not allow that one.
+  bool advance(Contender& contender, double until) {
+    const double spacing = plan_.ladder[contender.next++];
+    ChartPoint point;
+    point.family = contender.family.label;
+    point.overrides = contender.family.overrides;
+    point.overrides.push_back(fmt::format("body.spacing={}", spacing));
+    point.formulation = contender.family.formulation;
+    point.kernel = contender.family.kernel;
+    point.stabiliser = contender.family.stabiliser;
+    point.support = contender.family.support;
+    point.order = contender.family.order;
+    point.spacing = spacing;
+    try {
+      if (!time_once(point, until)) return true;  // not to its end: no point
+      while (point.seconds.size() < first_repetitions && point.time() < short_run)
+        if (!time_once(point, until)) break;
+    } catch (const InputError&) {
+      return false;
+    } catch (const NumericalError& failure) {
+      point.failure = failure.what();
+      point.errors.assign(table_.quantities.size(), unknown);
+      contender.out = true;
+    }
+    if (!contender.out)
+      contender.runs.push_back({spacing, point.setup_seconds, point.time(), point.errors});
+    add(std::move(point));
+    return true;
+  }
+
+  /// One run of a point, its time added. False if it did not come to its end in time.
+  bool time_once(ChartPoint& point, double until) {
+    show(fmt::format("{} at {:.4g} m", point.family, point.spacing));
+    std::vector<std::string> overrides = {"output.frames=0"};
+    overrides.insert(overrides.end(), request_.overrides.begin(), request_.overrides.end());
+    overrides.insert(overrides.end(), point.overrides.begin(), point.overrides.end());
+    std::atomic<bool> stop{false};
+    RunOptions run_options;
+    run_options.threads = options_.threads;
+    run_options.stop_requested = &stop;
+    run_options.progress = [&](const Progress&) {
+      show(fmt::format("{} at {:.4g} m", point.family, point.spacing));
+      if (stopped() || spent() > until) stop = true;
+    };
+    if (!plan_.values.empty()) run_options.out = options_.out / "run";
+    const Summary summary = tlsph::run(read_scene(request_.scene, overrides), run_options);
+    if (summary.interrupted) return false;
+    if (point.seconds.empty()) {
+      point.particles = summary.particles;
+      point.steps = summary.steps;
+      point.setup_seconds = summary.wall_setup;
+      point.errors = errors_of(summary, run_options.out);
+    }
+    point.seconds.push_back(summary.wall_stepping);
+    return true;
+  }
+
+  [[nodiscard]] std::vector<double> errors_of(const Summary& summary,
+                                              const std::filesystem::path& folder) const {
+    std::vector<double> errors;
+    if (summary.errors)
+      errors = {summary.errors->displacement, summary.errors->velocity, summary.errors->stress};
+    if (plan_.values.empty()) return errors;
+    for (const double value : read_values(plan_.values, read_history(folder / "probes.csv")))
+      errors.push_back(std::abs(value / table_.answers[errors.size()] - 1.0));
+    return errors;
+  }
+
+  void repeat_front() {
+    for (std::size_t round = 1; round < repetitions; ++round) {
+      table_.mark_fronts();
+      for (ChartPoint& point : table_.points) {
+        const bool wanted = std::ranges::find(point.front, true) != point.front.end() &&
+                            point.peer.empty() && point.seconds.size() <= round;
+        const double cost = point.setup_seconds + point.time();
+        if (stopped()) return;
+        if (wanted && spent() + cost < request_.budget) (void)time_once(point, request_.budget);
+      }
+    }
+  }
+
+  void add(ChartPoint point) {
+    table_.points.push_back(std::move(point));
+    if (options_.after_point)
+      options_.after_point(table_.points.back(), std::min(1.0, spent() / request_.budget));
+    // Now and then, for whom the rest does not come.
+    if (table_.points.size() % 20 == 0) write();
+  }
+
+  void write() {
+    table_.spent = spent();
+    table_.mark_fronts();
+    table_.write(options_.out);
+  }
+
+  const ChartRequest& request_;
+  const ChartPlan& plan_;
+  const ChartOptions& options_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  ChartTable table_;
+  std::vector<Contender> contenders_;
+};
+
+}  // namespace
+
+ChartTable chart(const ChartRequest& request, const ChartOptions& options) {
+  const ChartPlan plan = plan_chart(request);
+  return ChartStudy(request, plan, options).run();
+}
+
+}  // namespace tlsph

@@ -1,0 +1,58 @@
+#include "chart_answers.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "tlsph/core/error.hpp"
+#include "tlsph/studies/converge.hpp"
+
+namespace tlsph {
+namespace {
+
+/// Share of a value that its change from one spacing to the next may be to count as noise.
+constexpr double settled = 1e-5;
+
+double limit_of(const ConvergenceValue& value, const std::vector<double>& spacings) {
+  if (std::isfinite(value.limit) && value.limit != 0.0) return value.limit;
+  if (const std::size_t n = value.medians.size(); n >= 3) {
+    const double finest = value.medians[n - 1];
+    if (finest != 0.0 && std::abs(finest - value.medians[n - 2]) <= settled * std::abs(finest))
+      return finest;
+  }
+  throw InputError({"--value " + value.name, 0, 0, ""},
+                   fmt::format("does not settle at the spacings {:.4g}, {:.4g} and {:.4g}: give "
+                               "its answer, {}=…",
+                               spacings[0], spacings[1], spacings[2], value.name));
+}
+
+}  // namespace
+
+std::vector<double> find_answers(const ChartRequest& request, double h, int threads,
+                                 const std::filesystem::path& folder,
+                                 const std::function<void()>& progress,
+                                 const std::atomic<bool>* stop_requested) {
+  std::vector<double> answers;
+  ConvergenceRequest study;
+  for (const ChartValue& value : request.values) {
+    answers.push_back(value.answer.value_or(std::numeric_limits<double>::quiet_NaN()));
+    if (!value.answer) study.values.push_back(value.name);
+  }
+  if (study.values.empty()) return answers;
+  study.scene = request.scene;
+  study.overrides = request.overrides;
+  study.spacings = {2.0 * h, h, 0.5 * h};
+  ConvergenceOptions options;
+  options.out = folder;
+  options.threads = threads;
+  options.stop_requested = stop_requested;
+  options.progress = [&](const Progress&) { progress(); };
+  const ConvergenceTable table = converge(study, options);
+  if (table.interrupted) return answers;
+  for (const ConvergenceValue& value : table.values)
+    for (std::size_t k = 0; k < answers.size(); ++k)
+      if (request.values[k].name == value.name) answers[k] = limit_of(value, study.spacings);
+  return answers;
+}
+
+}  // namespace tlsph

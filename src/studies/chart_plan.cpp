@@ -1,0 +1,118 @@
+#include "chart_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "peers.hpp"
+#include "probe_values.hpp"
+#include "tlsph/core/error.hpp"
+#include "tlsph/scene/names.hpp"
+#include "tlsph/scene/reader.hpp"
+#include "tlsph/simulation/builder.hpp"
+
+namespace tlsph {
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+/// Spacings a chart tries of itself: from this many halvings above the scene's to so many below.
+constexpr int coarsest = 2, finest = 6;
+
+template <int D>
+double divided(const Scene& scene) {
+  return build_particles<D>(scene).spacing;
+}
+
+/// The spacing as it divides the body.
+double divided_spacing(const ChartRequest& request, double spacing) {
+  std::vector<std::string> overrides = request.overrides;
+  overrides.push_back(fmt::format("body.spacing={}", spacing));
+  const Scene scene = read_scene(request.scene, overrides);
+  return scene.dimension == 1 ? divided<1>(scene) : divided<2>(scene);
+}
+
+/// Spacings that divide the body; those that are asked for must.
+std::vector<double> ladder_of(const ChartRequest& request, double spacing) {
+  std::vector<double> ladder;
+  if (request.spacings.empty()) {
+    // Finer ones divide it where this one does; their particles would only cost memory here.
+    for (int halvings = -coarsest; halvings <= finest; ++halvings) {
+      const double next = spacing * std::pow(2.0, -halvings);
+      try {
+        if (halvings < 0) (void)divided_spacing(request, next);
+        ladder.push_back(next);
+      } catch (const InputError&) {
+        ladder.clear();
+      }
+    }
+    return ladder;
+  }
+  const Place option{"--spacing", 0, 0, ""};
+  for (const double next : request.spacings) {
+    if (!std::isfinite(next) || next <= 0.0)
+      throw InputError(option, fmt::format("{} is no spacing; a length > 0 [m]", next));
+    (void)divided_spacing(request, next);
+    ladder.push_back(next);
+  }
+  std::ranges::sort(ladder, std::greater());
+  if (const auto twice = std::ranges::adjacent_find(ladder); twice != ladder.end())
+    throw InputError(option, fmt::format("{} stands twice; each once", *twice));
+  return ladder;
+}
+
+template <int D>
+void check_buildable(const Scene& scene) {
+  const Discretisation<D> disc = build<D>(scene);
+  (void)build_initial<D>(scene, disc);
+  (void)build_exact<D>(scene, disc);
+}
+
+}  // namespace
+
+ChartValue parse_chart_value(const std::string& text) {
+  const auto equals = text.find('=');
+  if (equals == std::string::npos) return {text, std::nullopt};
+  ChartValue value{text.substr(0, equals), 0.0};
+  const char* first = text.data() + equals + 1;
+  const char* last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(first, last, *value.answer);
+  if (error != std::errc() || end != last || !std::isfinite(*value.answer) || *value.answer == 0.0)
+    throw InputError({"--value " + text, 0, 0, ""},
+                     "the answer must be a number that is not zero: errors are relative to it");
+  return value;
+}
+
+ChartPlan plan_chart(const ChartRequest& request) {
+  if (!std::isfinite(request.budget) || request.budget <= 0.0)
+    throw InputError({"--budget", 0, 0, ""},
+                     fmt::format("{} s is no time; a number > 0", request.budget));
+  for (const std::string& name : request.formulations)
+    if (!from_name<Formulation>(name))
+      throw InputError(
+          {"--formulation", 0, 0, ""},
+          fmt::format("there is no \"{}\"; choose from {}", name, choices<Formulation>()));
+  ChartPlan plan;
+  plan.scene = read_scene(request.scene, request.overrides);
+  for (const ChartValue& value : request.values) plan.values.push_back(value.name);
+  check_value_names(plan.values, plan.scene);
+  if (plan.scene.exact != ExactKind::none) {
+    plan.quantities = {"displacement", "velocity", "stress"};
+    plan.answers.assign(3, unknown);
+  } else if (plan.values.empty()) {
+    throw InputError({plan.scene.file, 0, 0, ""},
+                     "nothing to be near to: no reference.exact; give --value NAME=ANSWER, e.g. "
+                     "tip.displacement_y.period=0.25523, or --value NAME to have it extrapolated");
+  }
+  for (const ChartValue& value : request.values) {
+    plan.quantities.push_back(value.name);
+    plan.answers.push_back(value.answer.value_or(unknown));
+  }
+  check_peers(request.peers, request.overrides);
+  plan.ladder = ladder_of(request, plan.scene.body.spacing);
+  plan.scene.dimension == 1 ? check_buildable<1>(plan.scene) : check_buildable<2>(plan.scene);
+  return plan;
+}
+
+}  // namespace tlsph

@@ -1,0 +1,29 @@
+#pragma once
+/// \file
+/// Other programs on the same scene: scripts validation/peers/<name>.py, called with the scene's
+/// name, a spacing and an end time, answering with one line of JSON (validation/peers/README.md).
+
+#include <atomic>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tlsph/studies/chart.hpp"
+
+namespace tlsph {
+
+/// InputError, naming `--peer` and those there are, for a name that is none; and for overrides that
+/// make the scene another than the peers know.
+void check_peers(const std::vector<std::string>& names, const std::vector<std::string>& overrides);
+
+struct PeerRun {
+  ChartPoint point;
+  std::string unable;  ///< why there is no point
+};
+
+/// One run of a peer, killed after `seconds`; its words go into files in `folder`.
+[[nodiscard]] PeerRun run_peer(const std::string& name, const Scene& scene, double spacing,
+                               const ChartTable& table, const std::filesystem::path& folder,
+                               double seconds, const std::atomic<bool>* stop_requested);
+
+}  // namespace tlsph

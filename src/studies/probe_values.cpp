@@ -1,0 +1,87 @@
+#include "probe_values.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "tlsph/analysis/oscillation.hpp"
+#include "tlsph/core/error.hpp"
+#include "tlsph/scene/names.hpp"
+
+namespace tlsph {
+namespace {
+
+const Place value_option{"--value", 0, 0, ""};
+constexpr std::array<std::string_view, 5> words = {"end", "max", "min", "peak", "period"};
+
+struct ValueName {
+  std::string column, word;
+};
+
+ValueName split(const std::string& name) {
+  const auto dot = name.rfind('.');
+  if (dot == std::string::npos) return {name, ""};
+  return {name.substr(0, dot), name.substr(dot + 1)};
+}
+
+double read_value(const std::string& word, const std::vector<double>& time,
+                  const std::vector<double>& values) {
+  if (word == "end") return values.back();
+  if (word == "max") return maximum(time, values);
+  if (word == "min") return minimum(time, values);
+  if (word == "peak") return std::max(maximum(time, values), -minimum(time, values));
+  return mean_period(time, values);
+}
+
+}  // namespace
+
+void check_value_names(const std::vector<std::string>& names, const Scene& scene) {
+  for (const std::string& name : names) {
+    const auto [column, word] = split(name);
+    if (std::ranges::find(words, word) == words.end())
+      throw InputError(value_option,
+                       fmt::format("{}: a value is a column of probes.csv with .{} behind it, e.g. "
+                                   "tip.displacement_y.period",
+                                   name, fmt::join(words, ", .")));
+    const auto recorded = [&column = column](const ProbeScene& probe) {
+      if (!column.starts_with(probe.name + ".")) return false;
+      const std::string quantity = column.substr(probe.name.size() + 1);
+      return std::ranges::any_of(probe.record, [&](Quantity q) {
+        const std::string stem(name_of(q));
+        return quantity == stem || quantity.starts_with(stem + "_");
+      });
+    };
+    if (std::ranges::none_of(scene.probes, recorded))
+      throw InputError(value_option, fmt::format("{}: no probe records {}", name, column));
+  }
+}
+
+std::vector<double> read_values(const std::vector<std::string>& names, const History& history) {
+  std::vector<double> values;
+  for (const std::string& name : names) {
+    const auto [column, word] = split(name);
+    const auto found = std::ranges::find(history.names, column);
+    if (found == history.names.end())
+      throw InputError(value_option, fmt::format("{}: the probes have no {}", name, column));
+    const auto k = static_cast<std::size_t>(found - history.names.begin());
+    values.push_back(read_value(word, history.time, history.values[k]));
+  }
+  return values;
+}
+
+std::vector<std::string> telling_values(const History& history) {
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < history.names.size(); ++k) {
+    const std::vector<double>& values = history.values[k];
+    if (std::ranges::all_of(values, [](double value) { return value == 0.0; })) continue;
+    names.push_back(history.names[k] + ".peak");
+    if (std::isfinite(mean_period(history.time, values)))
+      names.push_back(history.names[k] + ".period");
+  }
+  return names;
+}
+
+}  // namespace tlsph

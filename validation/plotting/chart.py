@@ -1,0 +1,125 @@
+"""Speed against accuracy on logarithmic axes, the front of the best marked and labelled.
+
+Reads chart.json of `tlsph chart`: a point a configuration, its stepping time (the bar is the range of
+the repetitions) and the relative error it is judged by, a panel a quantity. Numbers on the front are explained below.
+"""
+
+import json
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+from plotting.data import PlotError, listing, need
+from plotting.style import COLOURS, FAINT, INK, WIDTH
+
+#  formulation: colour, marker
+FORMULATIONS = {"stress-point": (COLOURS[0], "o"), "consistent": (COLOURS[2], "s"), "variational": (COLOURS[1], "^"),
+                "mirror": (COLOURS[3], "D"), "thesis": (COLOURS[4], "v")}
+PEER_MARKERS = "XP*hdp"
+
+
+def arguments(command):
+    command.add_argument("file", type=Path, metavar="FILE", help="chart.json")
+    command.add_argument("--quantity", nargs="+", metavar="Q", help="only these errors")
+
+
+def read(path):
+    try:
+        table = json.loads(need(path).read_text())
+        points = [point for point in table["points"] if not point["failure"]]
+        for point in points:
+            point["time"] = float(np.median(point["stepping_seconds"]))
+            point["errors"] = [np.nan if error is None else error for error in point["judged"]]
+        return table["quantities"], points
+    except (ValueError, KeyError, TypeError) as error:
+        raise PlotError(f"{path}: not a chart.json of tlsph chart ({error!r})") from None
+
+
+def short(point):
+    """The configuration in the words of its table, its particles behind it."""
+    return f"{point['peer'] or point['family']}, {point['particles']}"
+
+
+def scatter(axes, points, q, colour, marker, label, filled):
+    t = np.array([point["time"] for point in points])
+    e = np.array([point["errors"][q] for point in points])
+    axes.scatter(t, e, s=16 if filled else 12, marker=marker, facecolor=colour if filled else "none", edgecolor=colour,
+                 linewidth=0.7, alpha=1.0 if filled else 0.35, label=label, zorder=3 if filled else 2)
+
+
+def ranges(axes, points, q):
+    for point in points:
+        if len(point["stepping_seconds"]) > 1:
+            axes.plot([min(point["stepping_seconds"]), max(point["stepping_seconds"])], 2 * [point["errors"][q]],
+                      color=INK, linewidth=0.8, zorder=2.5)
+
+
+def draw(options):
+    path = options.file
+    quantities, points = read(path)
+    wanted = options.quantity or quantities
+    for name in wanted:
+        if name not in quantities:
+            raise PlotError(f"{path}: no error {name}; it has: {listing(quantities)}")
+    across = min(len(wanted), 3)
+    down = -(-len(wanted) // across)
+    figure, all_axes = plt.subplots(down, across, squeeze=False, figsize=(
+        WIDTH if across > 1 else 0.75 * WIDTH, 4.4 * down))
+    for axes in all_axes.flat[len(wanted):]:
+        axes.set_visible(False)
+    for axes, name in zip(all_axes.flat, wanted):
+        panel(axes, quantities.index(name), name, points)
+    for axes in all_axes[:, 0]:
+        axes.set_ylabel("relative error")
+    first = all_axes[0, 0]
+    handles, labels = first.get_legend_handles_labels()
+    if len(labels) > 1:
+        # Wider than its axes: kept out of the layout, which it would stretch; blank lines above the titles hold its
+        # place.
+        columns = 8 if across > 1 else 5
+        first.set_title(" \n" * -(-len(labels) // columns) + first.get_title(loc="left"), loc="left")
+        first.legend(handles, labels, ncols=columns, loc="lower left", bbox_to_anchor=(-0.05, 1.05), borderaxespad=0.2,
+                     columnspacing=0.9, handletextpad=0.2, handlelength=1.2).set_in_layout(False)
+    return figure, path.with_suffix(".png")
+
+
+def panel(axes, q, name, points):
+    points = [point for point in points if np.isfinite(point["errors"][q]) and point["errors"][q] > 0]
+    own = [point for point in points if not point["peer"]]
+    for formulation, (colour, marker) in FORMULATIONS.items():
+        mine = [point for point in own if point["formulation"] == formulation]
+        if mine:
+            front = [point for point in mine if name in point["front"]]
+            scatter(axes, [point for point in mine if name not in point["front"]], q, colour, marker, None, False)
+            scatter(axes, front, q, colour, marker, formulation, True)
+    peers = list(dict.fromkeys(point["peer"] for point in points if point["peer"]))
+    for k, peer in enumerate(peers):
+        mine = sorted((point for point in points if point["peer"] == peer), key=lambda point: point["time"])
+        axes.plot([point["time"] for point in mine], [point["errors"][q] for point in mine], color=INK, linewidth=0.8,
+                  linestyle=":", zorder=1.5)
+        scatter(axes, mine, q, INK, PEER_MARKERS[k % len(PEER_MARKERS)], peer, True)
+    front = sorted((point for point in points if name in point["front"]), key=lambda point: point["time"])
+    axes.plot([point["time"] for point in front], [point["errors"][q] for point in front], color=FAINT, linewidth=1.0,
+              label="front", zorder=1)
+    ranges(axes, front, q)
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    axes.set_title(name, loc="left")
+    axes.set_xlabel("stepping time [s]")
+    axes.margins(x=0.12, y=0.12)
+    explain(axes, q, front)
+
+
+def explain(axes, q, front):
+    """Numbers at the points of the front, thinned where they would touch, and their names below the panel."""
+    lines, last = [], None
+    for point in front:
+        here = np.log10([point["time"], point["errors"][q]])
+        if last is not None and np.hypot(*(here - last)) < 0.15 and point is not front[-1]:
+            continue
+        last = here
+        lines.append(f"{len(lines) + 1}  {short(point)}")
+        axes.annotate(f"{len(lines)}", xy=(point["time"], point["errors"][q]), xytext=(4, 4),
+                      textcoords="offset points", fontsize=7, color=INK)
+    axes.text(0.0, -0.2, "\n".join(lines), transform=axes.transAxes, fontsize=6.2, va="top", color=INK)
