@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "tlsph/core/parallel.hpp"
 #include "tlsph/operators/products.hpp"
 
 namespace tlsph {
@@ -29,9 +30,10 @@ void LinearisedForces<D>::product(const VectorField<D>& x, VectorField<D>& force
             Eigen::Map<Tensor<D>>(H_.data() + s * D * D) = dP;
           };
           if (region.points.empty())
-            for (Index s = 0; s < H_.rows(); ++s) at(s);
+            for_rows(H_.rows(), at);
           else
-            for (const int s : region.points) at(s);
+            for_rows(static_cast<Index>(region.points.size()),
+                     [&](Index k) { at(region.points[static_cast<std::size_t>(k)]); });
         },
         region.law);
   for (const SignalTerm& term : disc_.stress_values) H_.data()[term.slot] = 0.0;
