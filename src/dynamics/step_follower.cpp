@@ -74,17 +74,16 @@ StepFollower<D>::StepFollower(const Discretisation<D>& disc, const State<D>& sta
       safety_(safety),
       deformation_(std::max(smallest_deformation, deformation_share * (1.0 - safety))),
       gamma_(unit_stiffness<D>(disc)),
+      critical_(critical_step<D>(disc, state)),
+      first_(critical_.dt),
+      limit_(first_),
+      step_(safety * first_),
+      price_(price_of_estimate),
       H_estimate_(state.H),
       H_check_(state.H),
       last_look_(state.step),
       next_look_(state.step + 1),
-      estimates_(1) {
-  critical_ = critical_step<D>(disc, state);
-  first_ = critical_.dt;
-  limit_ = first_;
-  price_ = price_of_estimate;
-  step_ = safety * first_;
-}
+      estimates_(1) {}
 
 template <int D>
 double StepFollower<D>::stiffening(const TensorField<D>& H) const {

@@ -16,7 +16,7 @@ namespace {
 
 using Rows = std::vector<const AtlasRow*>;
 
-std::string plural(std::set<double> values, const char* name) {
+std::string plural(const std::set<double>& values, const char* name) {
   if (values.size() == 1) return fmt::format("{} {}", name, *values.begin());
   return fmt::format("{} {} to {}", name, *values.begin(), *values.rbegin());
 }

@@ -2,6 +2,10 @@
 /// \file
 /// The body of one state: operators on the layout, uniformly stretched in the first direction.
 
+#include <filesystem>
+#include <string>
+#include <vector>
+
 #include "method.hpp"
 #include "tlsph/dynamics/state.hpp"
 #include "tlsph/scene/scene.hpp"

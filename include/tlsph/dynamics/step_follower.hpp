@@ -64,13 +64,12 @@ class StepFollower {
   const Discretisation<D>& disc_;
   double safety_;
   double deformation_;  ///< relative one between two bounds that the safety allows for
-  double gamma_ = 0.0;
-  double first_ = 0.0;  ///< critical step of the first estimate [s]
+  double gamma_;
   CriticalStep critical_;
-  double limit_ = 0.0;  ///< critical step by the last bound [s]
-  double step_ = 0.0;
-  double price_ = 0.0, waste_ = 0.0,
-         waste_a_step_ = 0.0;  ///< of estimates and without them, in steps
+  double first_;  ///< critical step of the first estimate [s]
+  double limit_;  ///< critical step by the last bound [s]
+  double step_;
+  double price_, waste_ = 0.0, waste_a_step_ = 0.0;  ///< of estimates and without them, in steps
   TensorField<D> H_estimate_, H_check_;
   double change_ = 0.0;  ///< relative deformation since the last bound, at the last look
   long last_look_ = 0, next_look_ = 1;
