@@ -29,6 +29,22 @@ constexpr double largest_deformation_a_step = 0.1;
 /// the share of 1 − safety that one deformation between bounds may take.
 constexpr double deformation_share = 0.2;
 constexpr double smallest_deformation = 1e-3;
+/// A body whose particles have moved by so little cannot have used up more of that: nobody looks.
+constexpr double negligible_share = 0.1;
+
+/// The largest Σ_q |w^a_sq| over the material points and directions.
+template <int D>
+double largest_row_sum(const VectorOperator<D>& gradient) {
+  double largest = 0.0;
+  for (Index s = 0; s < gradient.rows(); ++s) {
+    double sum = 0.0;
+    for (Index k = gradient.pattern().start[static_cast<std::size_t>(s)];
+         k < gradient.pattern().start[static_cast<std::size_t>(s) + 1]; ++k)
+      for (int a = 0; a < D; ++a) sum += std::abs(gradient.weight(k, a));
+    largest = std::max(largest, sum);
+  }
+  return largest;
+}
 
 /// γ: the operators with the unit tangent, by the same products as K.
 template <int D>
@@ -83,7 +99,9 @@ StepFollower<D>::StepFollower(const Discretisation<D>& disc, const State<D>& sta
       H_check_(state.H),
       last_look_(state.step),
       next_look_(state.step + 1),
-      estimates_(1) {}
+      estimates_(1) {
+  row_sum_ = disc.ghosts ? 0.0 : largest_row_sum<D>(disc.gradient);
+}
 
 template <int D>
 double StepFollower<D>::stiffening(const TensorField<D>& H) const {
@@ -164,10 +182,18 @@ void StepFollower<D>::check(const State<D>& state) {
   change_ = 0.0;
 }
 
+/// |ΔH| ≤ Σ_q |w_sq| max |Δu|, over all directions.
+template <int D>
+bool StepFollower<D>::due(const State<D>& state) const {
+  if (state.step < next_look_) return false;
+  return !path_known_ || row_sum_ * path_ >= negligible_share * deformation_;
+}
+
 template <int D>
 bool StepFollower<D>::follow(const State<D>& state) {
   if (state.step < next_look_) return false;
   ++looks_;
+  path_ = 0.0;
   const double change = largest_deformation<D>(state.H, H_check_);
   const long quiet = std::max(1L, state.step - last_look_);
   const double rate = std::max(change - change_, 0.0) / static_cast<double>(quiet);
@@ -201,6 +227,8 @@ std::vector<double> StepFollower<D>::numbers() const {
           waste_a_step_,
           static_cast<double>(last_look_),
           static_cast<double>(next_look_),
+          path_known_ ? 1.0 : 0.0,
+          path_,
           static_cast<double>(looks_),
           static_cast<double>(bounds_),
           static_cast<double>(estimates_)};
@@ -223,9 +251,11 @@ void StepFollower<D>::restore(const std::vector<double>& n, const std::vector<do
   waste_a_step_ = n.at(10);
   last_look_ = static_cast<long>(n.at(11));
   next_look_ = static_cast<long>(n.at(12));
-  looks_ = static_cast<long>(n.at(13));
-  bounds_ = static_cast<long>(n.at(14));
-  estimates_ = static_cast<long>(n.at(15));
+  path_known_ = n.at(13) != 0.0;
+  path_ = n.at(14);
+  looks_ = static_cast<long>(n.at(15));
+  bounds_ = static_cast<long>(n.at(16));
+  estimates_ = static_cast<long>(n.at(17));
   std::ranges::copy(estimated_at, H_estimate_.data());
   std::ranges::copy(checked_at, H_check_.data());
 }

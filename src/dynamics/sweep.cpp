@@ -345,7 +345,7 @@ struct Sweep<D>::Parts {
     tlsph::evaluate<D>(disc, state);
   }
 
-  void move(State<D>& state, double dt, const BoundaryForces<D>& forces) {
+  void move(State<D>& state, double dt, BoundaryForces<D>& forces) {
     for (std::size_t c = 0; c < curve_values.size(); ++c)
       curve_values[c] = value(disc.constraints.curves[c], state.time);
     for (std::size_t k = 0; k < forces.moved.size(); ++k) {
@@ -353,6 +353,7 @@ struct Sweep<D>::Parts {
       const double next = curve_values[motion.curve];
       state.v.data()[motion.dof] = (next - forces.u.data()[forces.moved[k]]) / dt;
       state.u.data()[motion.dof] = next;
+      forces.largest_speed = std::max(forces.largest_speed, std::abs(state.v.data()[motion.dof]));
     }
   }
 };
@@ -425,9 +426,11 @@ void Sweep<D>::step(State<D>& state, double dt, double next_time, BoundaryForces
   if (!parts.all_good()) parts.fail(state, kick, dt);
   forces.viscous_power = 0.0;
   forces.viscous_power_after = 0.0;
+  forces.largest_speed = 0.0;
   for (const auto& part : parts.thread) {
     forces.viscous_power += part->viscous_power;
     forces.viscous_power_after += part->viscous_power_after;
+    forces.largest_speed = std::max(forces.largest_speed, part->largest_speed);
   }
   ++state.step;
   state.time = next_time;

@@ -75,8 +75,8 @@ struct Kernels {
   Index (*multiply_adds)(Index count, double& sum);
   /// a −= r.
   void (*subtract)(Index size, const double* r, double* a);
-  /// v += kick a, u += dt v.
-  void (*update)(Index size, double kick, double dt, const double* a, double* v, double* u);
+  /// v += kick a, u += dt v; the largest |v|.
+  double (*update)(Index size, double kick, double dt, const double* a, double* v, double* u);
 };
 
 /// Sets of instructions the kernels are compiled for.

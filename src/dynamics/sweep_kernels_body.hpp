@@ -506,17 +506,25 @@ void subtract(Index size, const double* r, double* a) {
   for (; at < size; ++at) a[at] -= r[at];
 }
 
-void update(Index size, double kick, double dt, const double* a, double* v, double* u) {
+double update(Index size, double kick, double dt, const double* a, double* v, double* u) {
   Index at = 0;
+  Real most{};
   for (; at + lanes <= size; at += lanes) {
     const Real velocity = load<Real>(v + at) + kick * load<Real>(a + at);
     store(v + at, velocity);
     store(u + at, load<Real>(u + at) + dt * velocity);
+    const Real speed = velocity < 0.0 ? -velocity : velocity;
+    most = speed > most ? speed : most;
   }
+  double largest = 0.0;
+  for (Index lane = 0; lane < lanes; ++lane) largest = most[lane] > largest ? most[lane] : largest;
   for (; at < size; ++at) {
     v[at] += kick * a[at];
     u[at] += dt * v[at];
+    const double speed = v[at] < 0.0 ? -v[at] : v[at];
+    largest = speed > largest ? speed : largest;
   }
+  return largest;
 }
 
 template <int D>

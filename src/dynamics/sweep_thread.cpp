@@ -81,7 +81,7 @@ bool Thread<D>::before(const StepData<D>& step) {
   points_.base = plan_.points_first;
   rows_.base = plan_.first_node;
   reached_ = plan_.first_node;
-  viscous_power = viscous_power_after = 0.0;
+  viscous_power = viscous_power_after = largest_speed = 0.0;
   return run(plan_.before, step);
 }
 
@@ -219,7 +219,8 @@ void Thread<D>::move(const Task& task, const StepData<D>& step) {
       if (constrained(k, i)) a[local] = 0.0;
     }
   }
-  shared_.kernels->update(length, step.kick, step.dt, a, v, u);
+  largest_speed =
+      std::max(largest_speed, shared_.kernels->update(length, step.kick, step.dt, a, v, u));
   // A degree of freedom that is moved waits for its curve.
   for (Index k = task.item; k < task.item + task.items; ++k) {
     const Index node = forces.nodes[static_cast<std::size_t>(k)];

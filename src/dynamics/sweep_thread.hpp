@@ -65,6 +65,7 @@ class Thread {
   [[nodiscard]] Index first() const { return plan_.first_node; }
   [[nodiscard]] Index reached() const { return reached_; }
   double viscous_power = 0.0, viscous_power_after = 0.0;
+  double largest_speed = 0.0;
 
  private:
   static constexpr int most_directions = D + 1;

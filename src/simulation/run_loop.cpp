@@ -149,6 +149,7 @@ void RunLoop<D>::step() {
   const double way = state_.last_dt;
   const bool arrived = evaluated_ || state_.step == 0;
   sweep_->step(state_, clock_.dt, next, *forces_);
+  if (follower_) follower_->travelled(clock_.dt * forces_->largest_speed);
   ledger_.book(disc_, *forces_, state_, time, way, clock_.dt, arrived);
 }
 

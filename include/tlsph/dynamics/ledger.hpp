@@ -21,7 +21,8 @@ struct BoundaryForces {
   VectorField<D> u;            ///< displacement at t_n [m]
   VectorField<D> v;            ///< velocity at t_{n−½} [m/s]
   double viscous_power = 0.0;  ///< Σ C v · v_{n−½} over the body [W]
-  double viscous_power_after = 0.0;              ///< Σ C v · v_{n+½}
+  double viscous_power_after = 0.0;  ///< Σ C v · v_{n+½}
+  double largest_speed = 0.0;        ///< max |v_{n+½}| of all components over the body [m/s]
   Vector<D> moment_of_mass = Vector<D>::Zero();  ///< Σ m x, only with a body force in 2D [kg m]
   /// Rows above, times d plus component, of the degrees of freedom of each load and of the
   /// constraints, in their order.

@@ -32,8 +32,14 @@ class StepFollower {
   /// The step that is safe now: `safety` times the bound or less, never longer than the first [s].
   [[nodiscard]] double step() const { return step_; }
 
-  /// True at steps at which `follow` looks at H; at others it needs no evaluated state.
-  [[nodiscard]] bool due(const State<D>& state) const { return state.step >= next_look_; }
+  /// Says that no particle has moved by more than this [m] in a component since the step before.
+  /// With it, `due` leaves out looks at a body that cannot have deformed by what matters.
+  void travelled(double distance) {
+    path_known_ = true;
+    path_ += distance;
+  }
+  /// True at steps at which `follow` should look at H; at others it needs no evaluated state.
+  [[nodiscard]] bool due(const State<D>& state) const;
   /// After `evaluate` at every step; most of the time nothing happens. True when `step()` has
   /// changed. Takes memory only for a new estimate.
   bool follow(const State<D>& state);
@@ -49,7 +55,7 @@ class StepFollower {
   [[nodiscard]] std::vector<double> numbers() const;
   [[nodiscard]] const TensorField<D>& estimated_at() const { return H_estimate_; }
   [[nodiscard]] const TensorField<D>& checked_at() const { return H_check_; }
-  static constexpr std::size_t number_count = 16;
+  static constexpr std::size_t number_count = 18;
   /// Entries as `numbers` and the fields gave them.
   void restore(const std::vector<double>& numbers, const std::vector<double>& estimated_at,
                const std::vector<double>& checked_at);
@@ -71,7 +77,10 @@ class StepFollower {
   double step_;
   double price_, waste_ = 0.0, waste_a_step_ = 0.0;  ///< of estimates and without them, in steps
   TensorField<D> H_estimate_, H_check_;
-  double change_ = 0.0;  ///< relative deformation since the last bound, at the last look
+  bool path_known_ = false;
+  double path_ = 0.0;     ///< since the last look, at most [m]
+  double row_sum_ = 0.0;  ///< largest Σ_q |w^a_sq| of a material point [1/m]
+  double change_ = 0.0;   ///< relative deformation since the last bound, at the last look
   long last_look_ = 0, next_look_ = 1;
   long looks_ = 0, bounds_ = 0, estimates_ = 0;
 };
