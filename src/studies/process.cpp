@@ -18,9 +18,9 @@ using Clock = std::chrono::steady_clock;
 /// What a child gets: streams, and a group of its own, so that its children can be ended with it.
 class SpawnSettings {
  public:
-  explicit SpawnSettings(const ProcessOptions& options) {
-    valid_ =
-        posix_spawn_file_actions_init(&actions_) == 0 && posix_spawnattr_init(&attributes_) == 0;
+  explicit SpawnSettings(const ProcessOptions& options)
+      : valid_(posix_spawn_file_actions_init(&actions_) == 0 &&
+               posix_spawnattr_init(&attributes_) == 0) {
     if (!valid_) return;
     constexpr int write = O_WRONLY | O_CREAT | O_TRUNC;
     constexpr mode_t mode = 0644;
@@ -55,7 +55,7 @@ class SpawnSettings {
  private:
   posix_spawn_file_actions_t actions_{};
   posix_spawnattr_t attributes_{};
-  bool valid_ = false;
+  bool valid_;
 };
 
 }  // namespace
