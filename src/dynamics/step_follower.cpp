@@ -89,7 +89,6 @@ StepFollower<D>::StepFollower(const Discretisation<D>& disc, const State<D>& sta
     : disc_(disc),
       safety_(safety),
       deformation_(std::max(smallest_deformation, deformation_share * (1.0 - safety))),
-      gamma_(unit_stiffness<D>(disc)),
       critical_(critical_step<D>(disc, state)),
       first_(critical_.dt),
       limit_(first_),
@@ -104,7 +103,7 @@ StepFollower<D>::StepFollower(const Discretisation<D>& disc, const State<D>& sta
 }
 
 template <int D>
-double StepFollower<D>::stiffening(const TensorField<D>& H) const {
+double StepFollower<D>::stiffening(const TensorField<D>& H, double gamma) const {
   double largest = 0.0;
   for (const Region<D>& region : disc_.regions)
     std::visit(
@@ -125,7 +124,7 @@ double StepFollower<D>::stiffening(const TensorField<D>& H) const {
                        right));
         },
         region.law);
-  return gamma_ * largest;
+  return gamma * largest;
 }
 
 /// ‖H − H₀‖ ‖F⁻¹‖ at the point that has deformed most.
@@ -148,7 +147,8 @@ double StepFollower<D>::share_of_estimate(double added) const {
 
 template <int D>
 double StepFollower<D>::bound(const State<D>& state) const {
-  return std::min(critical_.dt, first_) * share_of_estimate(stiffening(state.H));
+  return std::min(critical_.dt, first_) *
+         share_of_estimate(stiffening(state.H, gamma_ > 0.0 ? gamma_ : unit_stiffness<D>(disc_)));
 }
 
 /// A body that has softened may stiffen again faster than it is looked at (beyond the limit of
@@ -167,7 +167,8 @@ void StepFollower<D>::estimate(const State<D>& state) {
 template <int D>
 void StepFollower<D>::check(const State<D>& state) {
   ++bounds_;
-  const double share = share_of_estimate(stiffening(state.H));
+  if (gamma_ == 0.0) gamma_ = unit_stiffness<D>(disc_);  // a body that hardly deforms never asks
+  const double share = share_of_estimate(stiffening(state.H, gamma_));
   limit_ = std::min(critical_.dt, first_) * share;
   waste_a_step_ = std::max(1.0 / share - 1.0,
                            largest_deformation<D>(state.H, H_estimate_) > far ? far_waste : 0.0);

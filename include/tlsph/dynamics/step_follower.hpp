@@ -62,7 +62,7 @@ class StepFollower {
 
  private:
   /// γ max_s λ_max(A_s − A_s(estimate)), at most that [1/s²].
-  [[nodiscard]] double stiffening(const TensorField<D>& H) const;
+  [[nodiscard]] double stiffening(const TensorField<D>& H, double gamma) const;
   [[nodiscard]] double share_of_estimate(double added) const;
   void estimate(const State<D>& state);
   void check(const State<D>& state);
