@@ -94,8 +94,10 @@ void forces(const Discretisation<D>& disc, State<D>& state) {
   }
 }
 
+}  // namespace
+
 template <int D>
-[[noreturn]] void report_failure(const Discretisation<D>& disc, const State<D>& state) {
+void report_failure(const Discretisation<D>& disc, const State<D>& state) {
   Index worst = 0;
   double smallest = std::numeric_limits<double>::infinity();
   for (Index s = 0; s < state.H.rows(); ++s) {
@@ -117,8 +119,6 @@ template <int D>
           state.time, state.step, worst, where, smallest),
       state.time, static_cast<long>(worst));
 }
-
-}  // namespace
 
 template <int D>
 State<D> make_state(const Discretisation<D>& disc, VectorField<D> u, VectorField<D> v) {
@@ -205,6 +205,7 @@ void advance(const Discretisation<D>& disc, State<D>& state, double dt, double n
 #define TLSPH_INSTANTIATE(D)                                                                  \
   template State<D> make_state<D>(const Discretisation<D>&, VectorField<D>, VectorField<D>);  \
   template void evaluate<D>(const Discretisation<D>&, State<D>&);                             \
+  template void report_failure<D>(const Discretisation<D>&, const State<D>&);                 \
   template void evaluate_unchecked<D>(const Discretisation<D>&, State<D>&);                   \
   template double next_velocity<D>(const Discretisation<D>&, const State<D>&, double, Index); \
   template void start<D>(const Discretisation<D>&, State<D>&, double);                        \

@@ -4,68 +4,16 @@
 
 #include <algorithm>
 #include <chrono>
-#include <map>
-#include <optional>
+#include <cmath>
 #include <type_traits>
 
+#include "sweep_storage.hpp"
 #include "sweep_thread.hpp"
-#include "tlsph/operators/stabilisers.hpp"
 
 namespace tlsph {
 namespace {
 
-using sweep::Dependences;
 using sweep::RegionLaw;
-using sweep::Table;
-
-/// diag(scale) times the rows: runs end where the factor changes.
-RowStorage with_row_factors(const RowStorage& rows, const ScalarField& scale) {
-  RowStorage result;
-  result.stride = rows.stride;
-  result.stencil_start = {0};
-  std::map<std::pair<int, double>, int> numbers;
-  const auto scaled = [&](int stencil, double factor) {
-    const auto [entry, fresh] = numbers.try_emplace({stencil, factor}, result.stencils());
-    if (!fresh) return entry->second;
-    const auto s = static_cast<std::size_t>(stencil);
-    for (int k = rows.stencil_start[s]; k < rows.stencil_start[s + 1]; ++k) {
-      result.offset.push_back(rows.offset[static_cast<std::size_t>(k)]);
-      for (int a = 0; a < rows.stride; ++a)
-        result.weight.push_back(factor *
-                                rows.weight[static_cast<std::size_t>(k * rows.stride + a)]);
-    }
-    result.stencil_start.push_back(static_cast<int>(result.offset.size()));
-    result.reach.push_back(rows.reach[s]);
-    return entry->second;
-  };
-  for (const RowRun& run : rows.runs) {
-    if (run.stencil == no_stencil) {
-      result.runs.push_back(run);
-      continue;
-    }
-    for (int r = 0; r < run.count;) {
-      const double factor = scale[run.first + r];
-      int end = r + 1;
-      while (end < run.count && scale[run.first + end] == factor) ++end;
-      result.runs.push_back({run.first + r, end - r, run.column + r, scaled(run.stencil, factor)});
-      r = end;
-    }
-  }
-  return result;
-}
-
-void set_stencils(Table& table, const RowStorage& rows) {
-  table.stencil_start = rows.stencil_start.data();
-  table.offset = rows.offset.data();
-  table.stencil_weight = rows.weight.data();
-  table.reach = rows.reach.data();
-}
-
-void set_general(Table& table, const Neighbours& pattern, const double* weights) {
-  table.row_start = pattern.start.data();
-  table.column = pattern.column.data();
-  table.weight = weights;
-}
 
 sweep::Level level_of(Instructions instructions) {
   switch (instructions) {
@@ -79,46 +27,6 @@ sweep::Level level_of(Instructions instructions) {
       break;
   }
   return sweep::widest_level();
-}
-
-/// The weights of an operator with rows that have no stencil; empty if there are none.
-std::vector<float> singles(const RowStorage& rows, std::span<const double> weights) {
-  const bool general =
-      std::ranges::any_of(rows.runs, [](const RowRun& run) { return run.stencil == no_stencil; });
-  if (!general) return {};
-  std::vector<float> result(weights.size());
-  std::ranges::transform(weights, result.begin(), [](double w) { return static_cast<float>(w); });
-  return result;
-}
-
-/// First and last column of every row, −1 for rows without any.
-void column_range(const Neighbours& pattern, std::vector<int>& low, std::vector<int>& high) {
-  const auto rows = static_cast<std::size_t>(pattern.rows());
-  low.assign(rows, 0);
-  high.assign(rows, -1);
-  for (std::size_t r = 0; r < rows; ++r) {
-    if (pattern.start[r] == pattern.start[r + 1]) continue;
-    low[r] = pattern.column[static_cast<std::size_t>(pattern.start[r])];
-    high[r] = pattern.column[static_cast<std::size_t>(pattern.start[r + 1]) - 1];
-  }
-}
-
-/// The last row that has an entry in each column.
-std::vector<int> last_reader(const Neighbours& pattern, Index columns) {
-  std::vector<int> last(static_cast<std::size_t>(columns), -1);
-  for (Index r = 0; r < pattern.rows(); ++r)
-    for (Index k = pattern.start[static_cast<std::size_t>(r)];
-         k < pattern.start[static_cast<std::size_t>(r) + 1]; ++k)
-      last[static_cast<std::size_t>(pattern.column[static_cast<std::size_t>(k)])] =
-          static_cast<int>(r);
-  return last;
-}
-
-Neighbours pattern_of(const SparseMatrix& matrix) {
-  Neighbours pattern;
-  pattern.start.assign(matrix.outerIndexPtr(), matrix.outerIndexPtr() + matrix.rows() + 1);
-  pattern.column.assign(matrix.innerIndexPtr(), matrix.innerIndexPtr() + matrix.nonZeros());
-  return pattern;
 }
 
 template <int D>
@@ -139,143 +47,39 @@ RegionLaw<D> law_of(const AnyLaw<D>& any, const sweep::Kernels<D>& kernels) {
       any);
 }
 
-/// The weights of an operator with a direction more, entry by entry.
-std::vector<double> with_direction(std::span<const double> weights, int stride,
-                                   const double* further) {
-  const std::size_t entries = weights.size() / static_cast<std::size_t>(stride);
-  std::vector<double> result;
-  result.reserve(entries * static_cast<std::size_t>(stride + 1));
-  for (std::size_t k = 0; k < entries; ++k) {
-    const auto from = weights.begin() + static_cast<std::ptrdiff_t>(k) * stride;
-    result.insert(result.end(), from, from + stride);
-    result.push_back(further[k]);
-  }
-  return result;
-}
-
-bool same_pattern(const Neighbours& pattern, const SparseMatrix& matrix) {
-  return std::equal(pattern.column.begin(), pattern.column.end(), matrix.innerIndexPtr(),
-                    matrix.innerIndexPtr() + matrix.nonZeros()) &&
-         std::equal(pattern.start.begin(), pattern.start.end(), matrix.outerIndexPtr(),
-                    matrix.outerIndexPtr() + matrix.rows() + 1);
-}
-
 }  // namespace
 
 template <int D>
 struct Sweep<D>::Parts {
   const Discretisation<D>& disc;
   int threads;
+  sweep::Storage<D> storage;
   sweep::Shared<D> shared;
-  RowStorage gradient, divergence, rows;
-  std::vector<double> gradient_weights, divergence_weights;  // where modes are a direction of them
-  std::vector<float> gradient_single, divergence_single;
-  Neighbours rows_pattern;
-  ScalarField inverse_mass;  // of general rows; empty if there are none
   std::vector<std::unique_ptr<sweep::Thread<D>>> thread;
   std::vector<char> good;
   std::vector<double> curve_values;
-  StorageReport storage;
 
   Parts(const Discretisation<D>& discretisation, const SweepOptions& options)
-      : disc(discretisation), threads(std::max(1, options.threads)) {
+      : disc(discretisation),
+        threads(std::max(1, options.threads)),
+        storage(discretisation, options.single_weights) {
     shared.disc = &disc;
     shared.kernels = &sweep::kernels<D>(level_of(options.instructions));
+    shared.gradient = storage.gradient_table;
+    shared.divergence = storage.divergence_table;
+    shared.rows = storage.rows_table;
+    shared.modes = storage.modes;
+    shared.viscous = storage.viscous;
+    shared.has_rows = storage.has_rows;
     for (const Region<D>& region : disc.regions)
       shared.laws.push_back(law_of<D>(region.law, *shared.kernels));
     shared.pressures.assign(disc.loads.size(), 0.0);
     curve_values.assign(disc.constraints.curves.size(), 0.0);
-    store_operators(options.single_weights);
     plan();
   }
 
-  void store_operators(bool single) {
-    inverse_mass = disc.mass.cwiseInverse();
-    const Neighbours& gradient_pattern = disc.gradient.pattern();
-    const Neighbours& divergence_pattern = disc.divergence.pattern();
-    add_modes();
-    const std::span<const double> g =
-        shared.modes ? std::span<const double>(gradient_weights) : disc.gradient.weights();
-    const std::span<const double> d =
-        shared.modes ? std::span<const double>(divergence_weights) : disc.divergence.weights();
-    const int directions = shared.modes ? D + 1 : D;
-    gradient = share_rows(gradient_pattern, g, directions);
-    divergence = with_row_factors(share_rows(divergence_pattern, d, directions), inverse_mass);
-    set_stencils(shared.gradient, gradient);
-    set_stencils(shared.divergence, divergence);
-    set_general(shared.gradient, gradient_pattern, g.data());
-    set_general(shared.divergence, divergence_pattern, d.data());
-    shared.divergence.row_scale = inverse_mass.data();
-    if (single) {
-      gradient_single = singles(gradient, g);
-      divergence_single = singles(divergence, d);
-      shared.gradient.weight_single = gradient_single.data();
-      shared.divergence.weight_single = divergence_single.data();
-    }
-    storage = report(gradient, gradient_pattern);
-    add(report(divergence, divergence_pattern));
-    const SparseMatrix* matrix = nullptr;
-    if (disc.viscosity.nonZeros() > 0)
-      matrix = &disc.viscosity;
-    else if (disc.stiffness.nonZeros() > 0 && !shared.modes)
-      matrix = &disc.stiffness;
-    shared.has_rows = matrix != nullptr;
-    shared.viscous = matrix == &disc.viscosity;
-    if (matrix != nullptr) {
-      rows_pattern = pattern_of(*matrix);
-      const std::span<const double> values(matrix->valuePtr(),
-                                           static_cast<std::size_t>(matrix->nonZeros()));
-      rows = with_row_factors(share_rows(rows_pattern, values, 1), inverse_mass);
-      set_stencils(shared.rows, rows);
-      set_general(shared.rows, rows_pattern, values.data());
-      shared.rows.row_scale = inverse_mass.data();
-      add(report(rows, rows_pattern));
-    }
-    release_unused();
-  }
-
-  void add(const StorageReport& other) {
-    storage.stencil_rows += other.stencil_rows;
-    storage.distinct_stencils += other.distinct_stencils;
-    storage.general_rows += other.general_rows;
-    storage.bytes += other.bytes;
-  }
-
-  /// Copies that only general rows would read.
-  void release_unused() {
-    const auto all_stencils = [](const RowStorage& storage_of) {
-      return std::ranges::all_of(storage_of.runs,
-                                 [](const RowRun& run) { return run.stencil != no_stencil; });
-    };
-    if (all_stencils(gradient)) gradient_weights = {};
-    if (all_stencils(divergence)) divergence_weights = {};
-  }
-
-  /// The cell stabiliser S = Aᵀ κ A as a direction more: A u beside G u, −Aᵀ κ beside D.
-  void add_modes() {
-    if constexpr (D == 2) {
-      if (disc.cell_modulus.size() == 0) return;
-      const SparseMatrix A = hourglass_rows(disc.particles, disc.gradient);
-      if (!same_pattern(disc.gradient.pattern(), A)) return;
-      const SparseMatrix force = SparseMatrix(-(disc.cell_modulus.asDiagonal() * A)).transpose();
-      if (!same_pattern(disc.divergence.pattern(), force)) return;
-      gradient_weights = with_direction(disc.gradient.weights(), D, A.valuePtr());
-      divergence_weights = with_direction(disc.divergence.weights(), D, force.valuePtr());
-      shared.modes = true;
-    }
-  }
-
   void plan() {
-    Dependences dep;
-    dep.points = disc.points.size();
-    dep.nodes = disc.nodes();
-    column_range(disc.gradient.pattern(), dep.gradient_low, dep.gradient_high);
-    column_range(disc.divergence.pattern(), dep.divergence_low, dep.divergence_high);
-    dep.point_readers = last_reader(disc.gradient.pattern(), disc.nodes());
-    if (shared.has_rows) {
-      column_range(rows_pattern, dep.rows_low, dep.rows_high);
-      dep.row_readers = last_reader(rows_pattern, disc.nodes());
-    }
+    const sweep::Dependences dep = storage.dependences();
     std::vector<int> regions;
     if (disc.regions.size() > 1) {
       regions.assign(static_cast<std::size_t>(disc.points.size()), 0);
@@ -291,11 +95,11 @@ struct Sweep<D>::Parts {
     for (std::size_t l = 0; l < disc.loads.size(); ++l)
       for (std::size_t k = 0; k < disc.loads[l].dof.size(); ++k) {
         const Index dof = disc.loads[l].dof[k];
-        loads.push_back({dof, disc.loads[l].weight[k] * inverse_mass[dof / D], l});
+        loads.push_back({dof, disc.loads[l].weight[k] * storage.inverse_mass[dof / D], l});
       }
     std::ranges::stable_sort(loads, {}, &sweep::NodeLoad::dof);
-    const sweep::Operators operators{&gradient.runs, &divergence.runs,
-                                     shared.has_rows ? &rows.runs : nullptr};
+    const sweep::Operators operators{&storage.gradient.runs, &storage.divergence.runs,
+                                     storage.has_rows ? &storage.rows.runs : nullptr};
     for (int t = 0; t < threads; ++t) {
       const Index first = disc.nodes() * t / threads;
       const Index last = disc.nodes() * (t + 1) / threads;
@@ -334,7 +138,7 @@ struct Sweep<D>::Parts {
   }
 
   /// Takes back what nodes have gone of the step and says what is wrong with the state.
-  void fail(State<D>& state, double kick, double dt) {
+  [[noreturn]] void fail(State<D>& state, double kick, double dt) {
     for (const auto& part : thread)
       for (Index dof = part->first() * D; dof < part->reached() * D; ++dof)
         if (disc.inverse_mass.data()[dof] != 0.0) state.u.data()[dof] -= dt * state.v.data()[dof];
@@ -342,7 +146,7 @@ struct Sweep<D>::Parts {
     for (const auto& part : thread)
       for (Index dof = part->first() * D; dof < part->reached() * D; ++dof)
         state.v.data()[dof] -= kick * disc.inverse_mass.data()[dof] * state.f.data()[dof];
-    tlsph::evaluate<D>(disc, state);
+    report_failure<D>(disc, state);
   }
 
   void move(State<D>& state, double dt, BoundaryForces<D>& forces) {
@@ -409,7 +213,7 @@ BoundaryForces<D> Sweep<D>::boundary_forces() const {
 
 template <int D>
 StorageReport Sweep<D>::storage() const {
-  return parts_->storage;
+  return parts_->storage.report;
 }
 
 template <int D>
@@ -448,7 +252,9 @@ void Sweep<D>::evaluate(State<D>& state) {
   step.pressures = &parts.shared.pressures;
   step.observed = &state;
   parts.pass(step);
-  if (!parts.all_good()) tlsph::evaluate<D>(parts.disc, state);  // says where
+  if (parts.all_good()) return;
+  evaluate_unchecked<D>(parts.disc, state);
+  report_failure<D>(parts.disc, state);
 }
 
 template class Sweep<1>;

@@ -118,8 +118,7 @@ Discretisation<D> build(const Scene& scene, Gradients gradients) {
   disc.particles = build_particles<D>(scene);
   if (scene.consistency && is_collocated(scene.formulation)) {
     const QuadratureDegrees degrees = moments_of(*scene.consistency);
-    // Points of a file may have brought volumes of their own.
-    if (degrees.volume > 1 && scene.body.cloud.empty())
+    if (degrees.volume > 1 && !disc.particles.own_volumes)
       disc.particles.V = local_volumes<D>(disc.particles);
     disc.particles = with_exact_moments<D>(
         std::move(disc.particles), degrees,

@@ -1,7 +1,7 @@
 /// What products, laws and whole steps cost, by Google Benchmark: counters are nanoseconds per
 /// particle. `tlsph benchmark` sets the same steps beside the limits of the machine.
 ///
-///     build/release/tests/benchmarks --benchmark_filter=Sweep
+///     build/release/tests/step_benchmark --benchmark_filter=Sweep
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>

@@ -39,6 +39,11 @@ void evaluate(const Discretisation<D>& discretisation, State<D>& state);
 template <int D>
 void evaluate_unchecked(const Discretisation<D>& discretisation, State<D>& state);
 
+/// Throws the NumericalError of a state without stress: its time, and the material point that is
+/// worst.
+template <int D>
+[[noreturn]] void report_failure(const Discretisation<D>& discretisation, const State<D>& state);
+
 /// v_{n+½} [m/s] of one degree of freedom if the coming step is `dt`; at a moved one, what takes it
 /// to its prescribed place at t_n + dt.
 template <int D>

@@ -70,7 +70,7 @@ class StepFollower {
   const Discretisation<D>& disc_;
   double safety_;
   double deformation_;  ///< relative one between two bounds that the safety allows for
-  double gamma_;
+  double gamma_ = 0.0;  ///< zero until it is wanted
   CriticalStep critical_;
   double first_;  ///< critical step of the first estimate [s]
   double limit_;  ///< critical step by the last bound [s]

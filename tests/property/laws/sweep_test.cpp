@@ -123,7 +123,7 @@ std::vector<Variant> variants_of_one_kernel() {
   return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(Variants, SweepOfOperators, testing::ValuesIn(variants_of_one_kernel()),
+INSTANTIATE_TEST_SUITE_P(, SweepOfOperators, testing::ValuesIn(variants_of_one_kernel()),
                          ByName());
 
 class SweepOfLaws : public testing::TestWithParam<const char*> {};
@@ -138,7 +138,7 @@ TEST_P(SweepOfLaws, IsTheStepOfTheirStress) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Layouts, SweepOfLaws, testing::Values("interval", "box", "jittered"),
+INSTANTIATE_TEST_SUITE_P(, SweepOfLaws, testing::Values("interval", "box", "jittered"),
                          ByName());
 
 /// Everything a boundary can do at once.
@@ -178,7 +178,7 @@ TEST_P(SweepOfBoundaries, IsTheStepOfTheirConditions) {
   expect_the_same_step(build<2>(read_scene_text(busy_scene, "busy", {GetParam()})), 0.01);
 }
 
-INSTANTIATE_TEST_SUITE_P(Bodies, SweepOfBoundaries,
+INSTANTIATE_TEST_SUITE_P(, SweepOfBoundaries,
                          testing::Values("body.jitter=0", "body.jitter=0.2",
                                          "formulation=variational"),
                          [](const auto& test) {

@@ -16,11 +16,12 @@ ConvergenceTable study(const std::string& example, std::vector<double> spacings,
                        const std::string& formulation, std::vector<std::string> overrides = {}) {
   ConvergenceOptions options;
   options.threads = 1;
-  ConvergenceTable table = converge({std::string(TLSPH_SOURCE_DIR) + "/examples/" + example,
-                                     std::move(overrides),
-                                     std::move(spacings),
-                                     {formulation}},
-                                    options);
+  ConvergenceRequest request;
+  request.scene = std::string(TLSPH_SOURCE_DIR) + "/examples/" + example;
+  request.overrides = std::move(overrides);
+  request.spacings = std::move(spacings);
+  request.formulations = {formulation};
+  ConvergenceTable table = converge(request, options);
   fmt::print("{}", table.text());
   return table;
 }

@@ -1,0 +1,215 @@
+#pragma once
+/// \file
+/// Laws of a vector of material points: strain in, stress out, in the same place.
+/// Local to each source that includes it, as everything here is (sweep_kernels_body.hpp).
+
+#include "sweep_vectors.hpp"
+
+namespace tlsph::sweep {
+namespace {
+
+/// ln(1 + e) to full relative precision for small e, after fdlibm's log1p (Sun Microsystems 1993):
+/// 1 + e = 2^k (1 + f), and e itself is f for k = 0.
+TLSPH_INLINE Real log_volume(Real e, Real J) {
+  constexpr std::int64_t root_half = 0x3FE6A09E667F3BCD;  // of √½
+  constexpr std::int64_t bias = std::int64_t{1024} << 52;
+  using Unsigned = std::uint64_t __attribute__((vector_size(TLSPH_LANES * 8)));
+  Whole bits;
+  std::memcpy(&bits, &J, sizeof bits);
+  const Whole k = (Whole)(((Unsigned)(bits - root_half + bias)) >> 52) - 1024;
+  const Whole mantissa_bits = bits - (k << 52);
+  Real mantissa;
+  std::memcpy(&mantissa, &mantissa_bits, sizeof mantissa);
+  const Real f = k == 0 ? e : mantissa - 1.0;
+  // k as a number: its bits in the mantissa of 1.5·2^52
+  const Whole shifted = k + 0x4338000000000000;
+  Real exponent;
+  std::memcpy(&exponent, &shifted, sizeof exponent);
+  exponent -= 0x1.8p52;
+  const Real s = f / (2.0 + f);
+  const Real z = s * s;
+  Real series = all(1.479819860511658591e-01);
+  series = series * z + 1.531383769920937332e-01;
+  series = series * z + 1.818357216161805012e-01;
+  series = series * z + 2.222219843214978396e-01;
+  series = series * z + 2.857142874366239149e-01;
+  series = series * z + 3.999999999940941908e-01;
+  series = series * z + 6.666666666666735130e-01;
+  series *= z;
+  const Real half_square = 0.5 * f * f;
+  const Real low = exponent * 1.90821492927058770002e-10;
+  return exponent * 6.93147180369123816490e-01 -
+         ((half_square - (s * (half_square + series) + low)) - f);
+}
+
+constexpr double huge = 0x1p1000;
+
+/// Stresses from displacement gradients, component by component; `good` loses the lanes whose state
+/// is none.
+struct LinearElastic {
+  static constexpr bool reads_volume = false;
+  Real lambda, mu;
+  TLSPH_INLINE void operator()(Real& h, Whole& good) const {
+    good &= h < huge;
+    h *= lambda + 2.0 * mu;
+  }
+  TLSPH_INLINE void operator()(Real& h00, Real& h10, Real& h01, Real& h11, Whole& good) const {
+    const Real trace = h00 + h11;
+    const Real shear = mu * (h01 + h10);
+    good &= trace < huge;
+    h00 = lambda * trace + 2.0 * mu * h00;
+    h11 = lambda * trace + 2.0 * mu * h11;
+    h01 = shear;
+    h10 = shear;
+  }
+};
+
+struct StVenantKirchhoff {
+  Real lambda, mu;
+  TLSPH_INLINE void operator()(Real& h, Whole& good) const {
+    good &= (h > -1.0) & (h < huge);
+    h = (1.0 + h) * (lambda + 2.0 * mu) * (h + 0.5 * h * h);
+  }
+  TLSPH_INLINE void operator()(Real& h00, Real& h10, Real& h01, Real& h11, Whole& good) const {
+    const Real e = h00 + h11 + (h00 * h11 - h01 * h10);
+    good &= (e > -1.0) & (e < huge);
+    const Real e00 = h00 + 0.5 * (h00 * h00 + h10 * h10);
+    const Real e11 = h11 + 0.5 * (h01 * h01 + h11 * h11);
+    const Real e01 = 0.5 * (h01 + h10 + (h00 * h01 + h10 * h11));
+    const Real pressure = lambda * (e00 + e11);
+    const Real s00 = pressure + 2.0 * mu * e00;
+    const Real s11 = pressure + 2.0 * mu * e11;
+    const Real s01 = 2.0 * mu * e01;
+    const Real p00 = s00 + (h00 * s00 + h01 * s01);
+    const Real p01 = s01 + (h00 * s01 + h01 * s11);
+    const Real p10 = s01 + (h10 * s00 + h11 * s01);
+    const Real p11 = s11 + (h10 * s01 + h11 * s11);
+    h00 = p00;
+    h01 = p01;
+    h10 = p10;
+    h11 = p11;
+  }
+};
+
+/// P = μ (F − F⁻ᵀ) + λ ln J F⁻ᵀ as in materials/neo_hookean.hpp, missing directions unstrained.
+struct NeoHookean {
+  Real lambda, mu;
+  TLSPH_INLINE void operator()(Real& h, Whole& good) const {
+    const Real J = 1.0 + h;
+    good &= (J > 0.0) & (J < huge);
+    h = (mu * (h * J + h) + lambda * log_volume(h, J)) / J;
+  }
+  TLSPH_INLINE void operator()(Real& h00, Real& h10, Real& h01, Real& h11, Whole& good) const {
+    const Real e = h00 + h11 + (h00 * h11 - h01 * h10);
+    const Real J = 1.0 + e;
+    good &= (J > 0.0) & (J < huge);
+    const Real inverse = 1.0 / J;
+    const Real pressure = lambda * log_volume(e, J) * inverse;
+    const Real shear_modulus = mu * inverse;
+    const Real stretch = shear_modulus * (h00 - h11);
+    const Real shear = shear_modulus * (h01 + h10);
+    const Real dilation = shear_modulus * e;
+    const Real f00 = 1.0 + h00;
+    const Real f11 = 1.0 + h11;
+    const Real p00 = dilation * f00 + stretch + pressure * f11;
+    const Real p11 = dilation * f11 - stretch + pressure * f00;
+    const Real p01 = dilation * h01 + shear - pressure * h10;
+    const Real p10 = dilation * h10 + shear - pressure * h01;
+    h00 = p00;
+    h01 = p01;
+    h10 = p10;
+    h11 = p11;
+  }
+};
+
+#if TLSPH_LANES == 8
+TLSPH_INLINE Real evens(Real a, Real b) {
+  return __builtin_shufflevector(a, b, 0, 2, 4, 6, 8, 10, 12, 14);
+}
+TLSPH_INLINE Real odds(Real a, Real b) {
+  return __builtin_shufflevector(a, b, 1, 3, 5, 7, 9, 11, 13, 15);
+}
+TLSPH_INLINE Real low(Real a, Real b) {
+  return __builtin_shufflevector(a, b, 0, 8, 1, 9, 2, 10, 3, 11);
+}
+TLSPH_INLINE Real high(Real a, Real b) {
+  return __builtin_shufflevector(a, b, 4, 12, 5, 13, 6, 14, 7, 15);
+}
+#elif TLSPH_LANES == 4
+// Points come in another order, 0 2 1 3, which a pointwise law does not mind: one shuffle less.
+TLSPH_INLINE Real evens(Real a, Real b) {
+  return __builtin_shufflevector(a, b, 0, 4, 2, 6);
+}
+TLSPH_INLINE Real odds(Real a, Real b) {
+  return __builtin_shufflevector(a, b, 1, 5, 3, 7);
+}
+TLSPH_INLINE Real low(Real a, Real b) {
+  return __builtin_shufflevector(a, b, 0, 4, 2, 6);
+}
+TLSPH_INLINE Real high(Real a, Real b) {
+  return __builtin_shufflevector(a, b, 1, 5, 3, 7);
+}
+#else
+TLSPH_INLINE Real evens(Real a, Real b) {
+  return __builtin_shufflevector(a, b, 0, 2);
+}
+TLSPH_INLINE Real odds(Real a, Real b) {
+  return __builtin_shufflevector(a, b, 1, 3);
+}
+TLSPH_INLINE Real low(Real a, Real b) {
+  return __builtin_shufflevector(a, b, 0, 2);
+}
+TLSPH_INLINE Real high(Real a, Real b) {
+  return __builtin_shufflevector(a, b, 1, 3);
+}
+#endif
+
+/// A vector of points.
+template <int D, class Law>
+TLSPH_INLINE void law_at(const Law& law, double* const* field, Whole& good) {
+  if constexpr (D == 1) {
+    Real h = load<Real>(field[0]);
+    law(h, good);
+    store(field[0], h);
+  } else {
+    const Real x0 = load<Real>(field[0]), x1 = load<Real>(field[0] + lanes);
+    const Real y0 = load<Real>(field[1]), y1 = load<Real>(field[1] + lanes);
+    Real h00 = evens(x0, x1), h10 = odds(x0, x1);
+    Real h01 = evens(y0, y1), h11 = odds(y0, y1);
+    law(h00, h10, h01, h11, good);
+    store(field[0], low(h00, h10));
+    store(field[0] + lanes, high(h00, h10));
+    store(field[1], low(h01, h11));
+    store(field[1] + lanes, high(h01, h11));
+  }
+}
+
+template <int D, class Law>
+bool apply_law(const LawConstants& constants, double* const* fields, Index first, Index count) {
+  const Law law{all(constants.lambda), all(constants.mu)};
+  Whole good = ~Whole{};
+  double* field[D];
+  for (int a = 0; a < D; ++a) field[a] = fields[a] + first * D;
+  Index at = 0;
+  for (; at + lanes <= count; at += lanes) {
+    law_at<D>(law, field, good);
+    for (int a = 0; a < D; ++a) field[a] += lanes * D;
+  }
+  if (at < count) {
+    double rest[D][lanes * D] = {};
+    double* padded[D];
+    for (int a = 0; a < D; ++a) {
+      padded[a] = rest[a];
+      std::memcpy(rest[a], field[a], static_cast<std::size_t>((count - at) * D) * sizeof(double));
+    }
+    law_at<D>(law, padded, good);
+    for (int a = 0; a < D; ++a)
+      std::memcpy(field[a], rest[a], static_cast<std::size_t>((count - at) * D) * sizeof(double));
+  }
+  std::int64_t every = -1;
+  for (Index lane = 0; lane < lanes; ++lane) every &= good[lane];
+  return every != 0;
+}
+
+}  // namespace
+}  // namespace tlsph::sweep

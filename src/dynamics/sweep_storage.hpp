@@ -1,0 +1,48 @@
+#pragma once
+/// \file
+/// The operators of a discretisation as a sweep reads them: equal rows once, those of D, S and C
+/// over the mass, a cell stabiliser as one direction more. Not for other rooms.
+
+#include <vector>
+
+#include "sweep_kernels.hpp"
+#include "sweep_plan.hpp"
+#include "tlsph/dynamics/discretisation.hpp"
+#include "tlsph/operators/row_storage.hpp"
+
+namespace tlsph::sweep {
+
+template <int D>
+class Storage {
+ public:
+  /// `single`: weights of rows without a stencil in single precision. The discretisation must
+  /// outlive the storage.
+  Storage(const Discretisation<D>& discretisation, bool single);
+  Storage(const Storage&) = delete;
+  Storage& operator=(const Storage&) = delete;
+
+  Table gradient_table, divergence_table, rows_table;
+  bool modes = false;     ///< A u is a direction of G, −Aᵀκ one of D
+  bool viscous = false;   ///< the rows are those of C, else of S
+  bool has_rows = false;  ///< there is one of them
+  RowStorage gradient, divergence, rows;
+  ScalarField inverse_mass;
+  StorageReport report;
+
+  /// Who reads what.
+  [[nodiscard]] Dependences dependences() const;
+
+ private:
+  void add_modes();
+  void add_rows();
+  void add(const StorageReport& other);
+  void release_unused();
+
+  const Discretisation<D>& disc_;
+  std::vector<double> gradient_weights_,
+      divergence_weights_;  // where modes are a direction of them
+  std::vector<float> gradient_single_, divergence_single_;
+  Neighbours rows_pattern_;
+};
+
+}  // namespace tlsph::sweep
