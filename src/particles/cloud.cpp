@@ -157,7 +157,6 @@ Particles<D> with_volumes(Particles<D> particles, ScalarField V, const Shape<D>&
                                             "they must agree within {:.0f} %, or be left out",
                                             sum, whole, 100.0 * largest_volume_error));
   particles.V = std::move(V);
-  particles.own_volumes = true;
   return particles;
 }
 

@@ -118,7 +118,8 @@ Discretisation<D> build(const Scene& scene, Gradients gradients) {
   disc.particles = build_particles<D>(scene);
   if (scene.consistency && is_collocated(scene.formulation)) {
     const QuadratureDegrees degrees = moments_of(*scene.consistency);
-    if (degrees.volume > 1 && !disc.particles.own_volumes)
+    // Scattered points do better with their Voronoi cells, and a file may bring volumes of its own.
+    if (degrees.volume > 1 && scene.body.cloud.empty())
       disc.particles.V = local_volumes<D>(disc.particles);
     disc.particles = with_exact_moments<D>(
         std::move(disc.particles), degrees,

@@ -85,7 +85,6 @@ struct Particles {
                                ///< and for clouds in 2D
   std::vector<Triangle> triangles = {};    ///< of 2D clouds: they fill the body; else empty
   Vector<D> spacings = Vector<D>::Zero();  ///< Δ per direction [m], within 1 % of another
-  bool own_volumes = false;                ///< V was given by the user, not derived
   NodePlacement placement = NodePlacement::on_boundary;
   std::optional<LatticeFrame<D>>
       frame;  ///< only if the body is an undisturbed full interval or box

@@ -119,12 +119,12 @@ TEST_P(SweepOfOperators, IsTheStepOfTheirProducts) {
 std::vector<Variant> variants_of_one_kernel() {
   std::vector<Variant> all;
   for (const Variant& variant : adjoint_variants())
-    if (variant.on_cells() || variant.kernel == "wendland-c2") all.push_back(variant);
+    if (variant.layout != "cloud" && (variant.on_cells() || variant.kernel == "wendland-c2"))
+      all.push_back(variant);  // a cloud has the spacing it has
   return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(, SweepOfOperators, testing::ValuesIn(variants_of_one_kernel()),
-                         ByName());
+INSTANTIATE_TEST_SUITE_P(, SweepOfOperators, testing::ValuesIn(variants_of_one_kernel()), ByName());
 
 class SweepOfLaws : public testing::TestWithParam<const char*> {};
 
@@ -138,8 +138,7 @@ TEST_P(SweepOfLaws, IsTheStepOfTheirStress) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(, SweepOfLaws, testing::Values("interval", "box", "jittered"),
-                         ByName());
+INSTANTIATE_TEST_SUITE_P(, SweepOfLaws, testing::Values("interval", "box", "jittered"), ByName());
 
 /// Everything a boundary can do at once.
 const std::string busy_scene = R"(
