@@ -54,7 +54,7 @@ struct ThreadPlan {
 };
 
 /// Nodes and points of a block: their fields stay in the first-level cache.
-inline constexpr Index block_rows = 256;
+inline constexpr Index block_rows = 512;
 
 /// What the plan of a thread is made from.
 struct Dependences {

@@ -1,6 +1,7 @@
 #include "tlsph/studies/benchmark.hpp"
 
 #include <fmt/format.h>
+#include <omp.h>
 
 #include <algorithm>
 #include <array>
@@ -8,11 +9,11 @@
 #include <cmath>
 #include <thread>
 
-#include "tlsph/studies/plain_step.hpp"
 #include "tlsph/dynamics/critical_step.hpp"
 #include "tlsph/dynamics/sweep.hpp"
 #include "tlsph/scene/reader.hpp"
 #include "tlsph/simulation/builder.hpp"
+#include "tlsph/studies/plain_step.hpp"
 
 namespace tlsph {
 namespace {
@@ -90,6 +91,18 @@ VectorField<D> wave(const VectorField<D>& X) {
   return u;
 }
 
+/// While it lives, OpenMP has one thread.
+class OneThread {
+ public:
+  OneThread() { omp_set_num_threads(1); }
+  OneThread(const OneThread&) = delete;
+  OneThread& operator=(const OneThread&) = delete;
+  ~OneThread() { omp_set_num_threads(before_); }
+
+ private:
+  int before_ = omp_get_max_threads();
+};
+
 /// Seconds of one call, in batches of so many seconds: the fastest and the median batch.
 template <class Call>
 std::array<double, 2> timed(double seconds, const Call& call) {
@@ -141,6 +154,7 @@ BenchmarkRow measure(const Case& entry, const BenchmarkOptions& options,
   row.spread = median / fastest - 1.0;
   if (entry.plain) {
     PlainStep<D> plain(disc, state.u);
+    const OneThread alone;  // Eigen shares its products among all there are
     row.plain_ns = timed(0.5 * options.seconds, [&] { plain.step(dt); })[0] * 1e9 / particles;
   }
   const double entries = static_cast<double>(disc.gradient.nonzeros()) / particles;
