@@ -1,23 +1,46 @@
 #include "tlsph/dynamics/linearised.hpp"
 
+#include <omp.h>
+
 #include <cmath>
 
 #include "tlsph/core/parallel.hpp"
 #include "tlsph/operators/products.hpp"
 
 namespace tlsph {
+namespace {
+
+/// Nodes of a body for which planning a sweep costs less than it brings.
+constexpr Index worth_a_sweep = 10'000;
+
+}  // namespace
 
 template <int D>
 LinearisedForces<D>::LinearisedForces(const Discretisation<D>& disc, const State<D>& state)
-    : disc_(disc),
-      state_(state),
-      H_(TensorField<D>::Zero(disc.points.size(), D * D)),
-      zero_(disc.signals.size(), 0.0) {
+    : disc_(disc), state_(state), zero_(disc.signals.size(), 0.0) {
+  const bool undeformed = (state.H.array() == 0.0).all();
+  if (undeformed && disc.nodes() >= worth_a_sweep && Sweep<D>::possible(disc) &&
+      disc.viscosity.nonZeros() == 0) {
+    SweepOptions options;
+    options.threads = omp_get_max_threads();
+    options.linearised = true;
+    sweep_.emplace(disc, options);
+    moved_.signals.assign(disc.signals.size(), 0.0);
+    return;
+  }
+  H_ = TensorField<D>::Zero(disc.points.size(), D * D);
   if (disc.ghosts) workspace_ = disc.ghosts->workspace();
 }
 
 template <int D>
 void LinearisedForces<D>::product(const VectorField<D>& x, VectorField<D>& force) {
+  if (sweep_) {
+    moved_.u = x;
+    moved_.f.resizeLike(x);
+    sweep_->evaluate(moved_);
+    force = moved_.f;
+    return;
+  }
   if (disc_.ghosts)
     disc_.ghosts->apply(x, zero_, H_, workspace_);
   else

@@ -32,6 +32,9 @@ constexpr double smallest_deformation = 1e-3;
 /// Every change of the step costs energy that equal steps keep: a step stays while it takes no more
 /// than this share of 1 − safety, and while a longer one would not be much longer.
 constexpr double kept_share = 0.2;
+/// A run that asks for short steps does so for its accuracy; up to this share of the limit they are
+/// safe all the same.
+constexpr double always_kept = 0.7;
 constexpr double worth_lengthening = 0.9;
 /// A body whose particles have moved by so little cannot have used up more of that: nobody looks.
 constexpr double negligible_share = 0.1;
@@ -206,8 +209,8 @@ bool StepFollower<D>::follow(const State<D>& state) {
   waste_ += waste_a_step_ * static_cast<double>(quiet);
   if (change >= 0.5 * deformation_ || waste_ > price_) check(state);
   const double before = step_;
-  const bool near_enough = step_ <= (safety_ + kept_share * (1.0 - safety_)) * limit_ &&
-                           step_ >= worth_lengthening * safety_ * limit_;
+  const double kept = std::max(safety_ + kept_share * (1.0 - safety_), always_kept);
+  const bool near_enough = step_ <= kept * limit_ && step_ >= worth_lengthening * safety_ * limit_;
   if (!near_enough) step_ = safety_ * limit_;
   if (rate > 0.0) step_ = std::min(step_, state.last_dt * largest_deformation_a_step / rate);
   // Until half the allowance is used up, and not much longer than it has been quiet.

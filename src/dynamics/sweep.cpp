@@ -47,6 +47,22 @@ RegionLaw<D> law_of(const AnyLaw<D>& any, const sweep::Kernels<D>& kernels) {
       any);
 }
 
+/// What every law is at H = 0.
+template <int D>
+RegionLaw<D> small_strain_law_of(const AnyLaw<D>& any, const sweep::Kernels<D>& kernels) {
+  const double lambda = std::visit(
+      [](const auto& law) {
+        using Law = std::decay_t<decltype(law)>;
+        if constexpr (std::is_same_v<Law, NeoHookean<D, Assumption::stress>>)
+          return reduced_lambda({law.lambda(), law.mu()}, D, Assumption::stress);
+        else
+          return law.lambda();
+      },
+      any);
+  const double mu = std::visit([](const auto& law) { return law.mu(); }, any);
+  return {kernels.linear_elastic, {lambda, mu}, nullptr};
+}
+
 }  // namespace
 
 template <int D>
@@ -71,14 +87,16 @@ struct Sweep<D>::Parts {
     shared.modes = storage.modes;
     shared.viscous = storage.viscous;
     shared.has_rows = storage.has_rows;
+    shared.body_force = disc.has_body_force() && !options.linearised;
     for (const Region<D>& region : disc.regions)
-      shared.laws.push_back(law_of<D>(region.law, *shared.kernels));
+      shared.laws.push_back(options.linearised ? small_strain_law_of<D>(region.law, *shared.kernels)
+                                               : law_of<D>(region.law, *shared.kernels));
     shared.pressures.assign(disc.loads.size(), 0.0);
     curve_values.assign(disc.constraints.curves.size(), 0.0);
-    plan();
+    plan(!options.linearised);
   }
 
-  void plan() {
+  void plan(bool loaded) {
     const sweep::Dependences dep = storage.dependences();
     std::vector<int> regions;
     if (disc.regions.size() > 1) {
@@ -92,7 +110,7 @@ struct Sweep<D>::Parts {
     for (const auto* list : {&booked.fixed, &booked.held, &booked.moved})
       for (const Index slot : *list) shared.constrained[static_cast<std::size_t>(slot)] = 1;
     std::vector<sweep::NodeLoad> loads;
-    for (std::size_t l = 0; l < disc.loads.size(); ++l)
+    for (std::size_t l = 0; loaded && l < disc.loads.size(); ++l)
       for (std::size_t k = 0; k < disc.loads[l].dof.size(); ++k) {
         const Index dof = disc.loads[l].dof[k];
         loads.push_back({dof, disc.loads[l].weight[k] * storage.inverse_mass[dof / D], l});

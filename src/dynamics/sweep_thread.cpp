@@ -146,6 +146,7 @@ bool Thread<D>::points(const Task& task, Store& store, const StepData<D>& step) 
 
 template <int D>
 void Thread<D>::write_points(const Task& task, const Store& store, TensorField<D>& field) const {
+  if (field.rows() == 0) return;
   const Index first = std::max(task.first, observed_first_);
   const Index last = std::min(task.last, observed_last_);
   for (Index s = first; s < last; ++s)
@@ -179,7 +180,7 @@ void Thread<D>::nodes(const Task& task, const StepData<D>& step) {
     const NodeLoad& load = plan_.loads[static_cast<std::size_t>(k)];
     a[load.dof - task.first * D] += (*step.pressures)[load.load] * load.weight;
   }
-  if (disc.has_body_force())
+  if (shared_.body_force)
     for (Index k = 0; k < length; ++k) a[k] += disc.body_force[k % D];
   if (step.observed == nullptr) return move(task, step);
   for (Index k = 0; k < length; ++k)

@@ -30,6 +30,7 @@ struct Shared {
   bool modes = false;    ///< one direction more: the rows of the cell stabiliser
   bool viscous = false;  ///< `rows` act on velocities
   bool has_rows = false;
+  bool body_force = false;
   std::vector<RegionLaw<D>> laws;
   std::vector<char> constrained;  ///< by booked node and component
   std::vector<double> pressures;  ///< of the loads, at t_n

@@ -4,14 +4,18 @@
 /// run's own operators. Who wants its extremes multiplies by it (critical_step.hpp); who wants the
 /// whole spectrum of a small body asks for the matrix.
 
+#include <optional>
+
 #include "tlsph/dynamics/state.hpp"
+#include "tlsph/dynamics/sweep.hpp"
 
 namespace tlsph {
 
 template <int D>
 class LinearisedForces {
  public:
-  /// Both must outlive this; products follow changes of `state.H`.
+  /// Both must outlive this; products follow changes of `state.H`, unless it is zero and the body
+  /// large: then they are those of that state, made by sweeps.
   LinearisedForces(const Discretisation<D>& discretisation, const State<D>& state);
 
   /// −K x = D (A : G x) − S x, the change of the forces with a displacement x (N×d) [N per
@@ -32,6 +36,8 @@ class LinearisedForces {
   const Discretisation<D>& disc_;
   const State<D>& state_;
   TensorField<D> H_;
+  std::optional<Sweep<D>> sweep_;  // of large undeformed bodies, a tenth of the price
+  State<D> moved_;
   std::vector<double> zero_;
   typename GhostGradient<D>::Workspace workspace_;
 };

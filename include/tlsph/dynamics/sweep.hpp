@@ -47,6 +47,9 @@ struct SweepOptions {
   /// irregular particles. G and D are then adjoint to 1e-7 only, and momenta kept as well as that.
   bool single_weights = false;
   Instructions instructions = Instructions::widest;
+  /// The laws at small strain and no loads, so that `evaluate` gives f = −K u of the undeformed
+  /// body.
+  bool linearised = false;
 };
 
 template <int D>
@@ -70,8 +73,9 @@ class Sweep {
   /// `evaluate`, with u and v of t_n restored to rounding.
   void step(State<D>& state, double dt, double next_time, BoundaryForces<D>& forces);
 
-  /// H, P and f of the state (and its viscous forces), as `evaluate` leaves them to rounding, at a
-  /// fraction of its cost. NumericalError as there. Takes nothing from the heap.
+  /// H, P (where the state has them) and f of the state (and its viscous forces), as `evaluate`
+  /// leaves them to rounding, at a fraction of its cost. NumericalError as there. Takes nothing
+  /// from the heap.
   void evaluate(State<D>& state);
 
   /// An empty record of the right size for `step`.
