@@ -30,22 +30,21 @@ struct Mirror {
 };
 
 /// What one side does, summed over its entries: components held, and histories by component, at
-/// instants all over the run; a normal load beside them.
+/// instants all over the run.
 struct Action {
   std::array<bool, 2> held{};
   std::array<std::vector<double>, 2> motion, load;
-  std::vector<double> pull;
 };
 
-Action action_of(const Scene& scene, const std::string& side, int axis) {
+/// `outward`: the sign of the outer normal.
+Action action_of(const Scene& scene, const std::string& side, int axis, double outward) {
   constexpr std::size_t instants = 97;
   Action action;
-  for (auto* histories :
-       {&action.motion[0], &action.motion[1], &action.load[0], &action.load[1], &action.pull})
+  for (auto* histories : {&action.motion[0], &action.motion[1], &action.load[0], &action.load[1]})
     histories->assign(instants, 0.0);
-  const auto add = [&](std::vector<double>& history, const Curve& curve) {
+  const auto add = [&](std::vector<double>& history, const Curve& curve, double factor = 1.0) {
     for (std::size_t k = 0; k < instants; ++k)
-      history[k] += value(curve, scene.time.end * static_cast<double>(k) / (instants - 1));
+      history[k] += factor * value(curve, scene.time.end * static_cast<double>(k) / (instants - 1));
   };
   for (const BoundaryScene& entry : scene.boundaries) {
     if (entry.where != side) continue;
@@ -55,7 +54,8 @@ Action action_of(const Scene& scene, const std::string& side, int axis) {
       add(action.motion[static_cast<std::size_t>(m.component)], m.curve);
     for (const ComponentCurve& t : entry.traction)
       add(action.load[static_cast<std::size_t>(t.component)], t.curve);
-    if (entry.normal_traction) add(action.pull, *entry.normal_traction);
+    if (entry.normal_traction)
+      add(action.load[static_cast<std::size_t>(axis)], *entry.normal_traction, outward);
   }
   return action;
 }
@@ -73,9 +73,9 @@ bool equal(const std::vector<double>& a, const std::vector<double>& b, double si
 bool mirrored_conditions(const Scene& scene, const Mirror& mirror) {
   const auto normal = static_cast<std::size_t>(mirror.axis);
   const std::size_t along = 1 - normal;
-  const Action low = action_of(scene, sides[normal][0], mirror.axis);
-  const Action high = action_of(scene, sides[normal][1], mirror.axis);
-  if (low.held != high.held || !equal(low.pull, high.pull, 1.0)) return false;
+  const Action low = action_of(scene, sides[normal][0], mirror.axis, -1.0);
+  const Action high = action_of(scene, sides[normal][1], mirror.axis, 1.0);
+  if (low.held != high.held) return false;
   for (const auto& [a, b] : {std::pair(low.motion, high.motion), std::pair(low.load, high.load)})
     if (!equal(a[normal], b[normal], -1.0) || !equal(a[along], b[along], 1.0)) return false;
   return std::ranges::all_of(scene.boundaries, [&](const BoundaryScene& entry) {

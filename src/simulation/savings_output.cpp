@@ -13,8 +13,8 @@ namespace {
 constexpr double seconds_per_entry = 2.5e-9, seconds_per_frame = 1e-3, seconds_per_byte = 2.5e-9;
 /// Frames may take this share of the time of the steps; stress may take this share of their bytes.
 constexpr double time_share = 0.25, stress_share = 0.25;
-/// Less is not worth a word [bytes].
-constexpr double worth = 1e5;
+/// Less is not worth a word: bytes of stress, seconds of writing.
+constexpr double worth = 1e5, worth_seconds = 0.2;
 
 bool is_stress(Quantity quantity) {
   return quantity == Quantity::pk1 || quantity == Quantity::cauchy ||
@@ -71,7 +71,7 @@ std::string of_output(const Scene& scene, const Discretisation<D>& disc, double 
       disc.ghosts ? disc.ghosts->plain_gradient().nonzeros() : disc.gradient.nonzeros();
   const double stepping = steps * static_cast<double>(entries) * seconds_per_entry;
   const double writing = frames * (seconds_per_frame + frame * seconds_per_byte);
-  if (steps > 0.0 && writing > time_share * stepping)
+  if (steps > 0.0 && writing > worth_seconds && writing > time_share * stepping)
     text += fmt::format(
         "  {} frames, {:.2g} MB, take about {:.2g} s beside {:.2g} s of steps: fewer by "
         "output.frames\n",
