@@ -277,8 +277,7 @@ class FitStudy {
     table_.spacing = family.spacing;
     table_.predicted_error = family.predicted_error;
     table_.predicted_seconds = law_time * family.predicted_seconds;
-    table_.coarsest =
-        next_division(scene, std::numeric_limits<double>::infinity()) <= family.spacing;
+    table_.coarsest = family.spacing >= family.pilots.front().spacing;
     write_text_file(options_.out / "scene.toml",
                     fmt::format("# {} = {:.3g} at the error of {:.3g} that was wanted, for {}.\n{}",
                                 table_.quantity, table_.predicted_error, table_.wanted,
