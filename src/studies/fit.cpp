@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "chart_answers.hpp"
+#include "fit_pilot.hpp"
 #include "fit_plan.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/io/files.hpp"
@@ -22,15 +23,10 @@ constexpr double aim = 0.8;
 constexpr double too_good = 0.2;
 /// Shares of the wanted error by which a linear law may differ from that of the scene.
 constexpr double same_answer = 0.05;
-/// Runs shorter than this are repeated: their time is noise [s].
-constexpr double short_run = 0.05;
-constexpr int repetitions = 3;
 /// Pilots longer than this are replaced by extrapolation once the order has settled [s].
 constexpr double long_pilot = 0.5;
 /// Longer ones are not made, settled or not [s].
 constexpr double longest_pilot = 30.0;
-/// What is below is zero: errors have logarithms.
-constexpr double zero = 1e-16;
 /// Spacings at which a family that the coarsest refuses is tried.
 constexpr int starts = 6;
 /// From one pilot to the next.
@@ -49,8 +45,8 @@ class FitStudy {
     make_output_directory(options.out);
   }
 
-  FitTable run(double spacing_of_scene) {
-    find_answer(spacing_of_scene);
+  FitTable run() {
+    find_answer();
     for (const ChartFamily& family : plan_.families) {
       if (stopped()) break;
       table_.families.push_back({family.label, family.overrides, {}, false, 0, 0, 0, 0, ""});
@@ -70,14 +66,14 @@ class FitStudy {
     return options_.stop_requested != nullptr && *options_.stop_requested;
   }
 
-  void find_answer(double spacing) {
+  void find_answer() {
     if (!request_.value) return;
     ChartRequest study;
     study.scene = request_.scene;
     study.overrides = request_.overrides;
     study.values = {*request_.value};
     table_.answer = find_answers(
-                        study, spacing, options_.threads, options_.out / "answer",
+                        study, plan_.spacing, options_.threads, options_.out / "answer",
                         [&] { show("extrapolating the answer"); }, options_.stop_requested)
                         .front();
   }
@@ -94,29 +90,13 @@ class FitStudy {
     return read_scene_text(plan_.text, plan_.name, all);
   }
 
-  /// Runs the scene, its time the least of several where it is short. Empty if it was interrupted.
-  std::optional<Pilot> measure(const Scene& scene, const std::string& what) {
-    Pilot pilot;
-    for (int k = 0; k < repetitions && (k == 0 || pilot.stepping < short_run); ++k) {
-      RunOptions run_options;
-      run_options.threads = options_.threads;
-      run_options.stop_requested = options_.stop_requested;
-      run_options.progress = [&](const Progress&) { show(what); };
-      if (request_.value) run_options.out = options_.out / "run";
-      const Summary summary = tlsph::run(scene, run_options);
-      if (summary.interrupted) return std::nullopt;
-      if (k == 0) {
-        const double error = error_of(request_, summary, table_.answer, run_options.out);
-        pilot = {summary.spacing,   summary.wall_setup, summary.wall_stepping,      0.0,
-                 summary.particles, summary.steps,      error == 0.0 ? zero : error};
-      }
-      pilot.setup = std::min(pilot.setup, summary.wall_setup);
-      pilot.stepping = std::min(pilot.stepping, summary.wall_stepping);
-    }
-    const bool factorises =
-        scene.formulation == Formulation::thesis || scene.consistency.has_value();
-    pilot.charged = pilot.stepping + (factorises ? pilot.setup : 0.0);
-    return pilot;
+  std::optional<Pilot> measure(const Scene& scene, const std::string& what) const {
+    PilotOptions pilot_options;
+    pilot_options.folder = options_.out / "run";
+    pilot_options.threads = options_.threads;
+    pilot_options.progress = [&] { show(what); };
+    pilot_options.stop_requested = options_.stop_requested;
+    return run_pilot(request_, table_.answer, scene, pilot_options);
   }
 
   /// From the coarsest spacing on to one that meets the error, or to where that is hopeless.
@@ -201,18 +181,22 @@ class FitStudy {
     family.predicted_seconds = predicted_seconds(family.pilots, family.spacing, plan_.dimension);
   }
 
-  [[nodiscard]] double best_seconds() const {
-    double best = std::numeric_limits<double>::infinity();
-    for (const FitFamily& family : table_.families)
-      if (family.reaches) best = std::min(best, family.predicted_seconds);
-    return best;
-  }
-
-  void choose_and_verify() {
+  /// Of the families that reach the error; nullptr if none does.
+  [[nodiscard]] FitFamily* cheapest() {
     FitFamily* best = nullptr;
     for (FitFamily& family : table_.families)
       if (family.reaches && (best == nullptr || family.predicted_seconds < best->predicted_seconds))
         best = &family;
+    return best;
+  }
+
+  [[nodiscard]] double best_seconds() {
+    const FitFamily* best = cheapest();
+    return best != nullptr ? best->predicted_seconds : std::numeric_limits<double>::infinity();
+  }
+
+  void choose_and_verify() {
+    FitFamily* best = cheapest();
     table_.reached = best != nullptr;
     if (best == nullptr) best = nearest();
     if (best == nullptr)
@@ -318,8 +302,7 @@ class FitStudy {
 
 FitTable fit(const FitRequest& request, const FitOptions& options) {
   const FitPlan plan = plan_fit(request);
-  return FitStudy(request, plan, options)
-      .run(read_scene(request.scene, request.overrides).body.spacing);
+  return FitStudy(request, plan, options).run();
 }
 
 }  // namespace tlsph

@@ -8,7 +8,6 @@
 
 #include "chart_plan.hpp"
 #include "probe_values.hpp"
-#include "tlsph/analysis/history.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/geometry/region.hpp"
 #include "tlsph/particles/division.hpp"
@@ -154,6 +153,7 @@ FitPlan plan_fit(const FitRequest& request) {
   FitPlan plan;
   plan.name = scene.file;
   plan.dimension = scene.dimension;
+  plan.spacing = scene.body.spacing;
   plan.text = without_output(scene.text, request, scene);
   reduce(plan, request, scene);
   plan.quantity = request.value              ? request.value->name
@@ -172,19 +172,6 @@ FitPlan plan_fit(const FitRequest& request) {
 double next_division(const Scene& scene, double spacing) {
   return scene.dimension == 1 ? next_division_in<1>(scene, spacing)
                               : next_division_in<2>(scene, spacing);
-}
-
-double error_of(const FitRequest& request, const Summary& summary, double answer,
-                const std::filesystem::path& folder) {
-  if (request.value) {
-    const History history = read_history(folder / "probes.csv");
-    return read_values({request.value->name}, history).front() / answer - 1.0;
-  }
-  const FieldErrors& errors = summary.errors.value();
-  if (request.quantity == "displacement") return errors.displacement;
-  if (request.quantity == "velocity") return errors.velocity;
-  if (request.quantity == "stress") return errors.stress;
-  return std::max({errors.displacement, errors.velocity, errors.stress});
 }
 
 }  // namespace tlsph

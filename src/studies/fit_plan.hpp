@@ -11,6 +11,7 @@ struct FitPlan {
   std::string name;  ///< of the scene, for messages
   std::string text;  ///< reduced, with nothing but the output that is read
   int dimension = 2;
+  double spacing = 0.0;                 ///< of the scene as it stands [m]
   std::vector<std::string> reductions;  ///< in words
   std::string quantity;
   std::vector<ChartFamily> families;
@@ -23,9 +24,5 @@ struct FitPlan {
 
 /// The coarsest division of the body with a spacing of at most `spacing` [m]; 0 if there is none.
 [[nodiscard]] double next_division(const Scene& scene, double spacing);
-
-/// |error| or, of a single number, its signed relative error.
-[[nodiscard]] double error_of(const FitRequest& request, const Summary& summary, double answer,
-                              const std::filesystem::path& folder);
 
 }  // namespace tlsph

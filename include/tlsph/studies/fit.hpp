@@ -46,7 +46,7 @@ struct FitTable {
   std::string family, text;  ///< text: the scene, TOML
   bool linear = false;       ///< linear elastic in place of the scene's law
   double spacing = 0.0, predicted_error = 0.0, predicted_seconds = 0.0;
-  bool coarsest = false;     ///< the body cannot be divided more coarsely
+  bool coarsest = false;     ///< there is no coarser spacing at which the family runs
   bool corrected = false;    ///< the first verification missed; what stands here is the second
   double first_error = 0.0;  ///< of the first
   // The verification:
