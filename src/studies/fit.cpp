@@ -23,10 +23,8 @@ constexpr double aim = 0.8;
 constexpr double too_good = 0.2;
 /// Shares of the wanted error by which a linear law may differ from that of the scene.
 constexpr double same_answer = 0.05;
-/// Pilots longer than this are replaced by extrapolation once the order has settled [s].
-constexpr double long_pilot = 0.5;
-/// Longer ones are not made, settled or not [s].
-constexpr double longest_pilot = 30.0;
+/// Pilots longer than this are replaced by extrapolation: once the order has settled, always [s].
+constexpr double long_pilot = 0.5, longest_pilot = 30.0;
 /// Spacings at which a family that the coarsest refuses is tried.
 constexpr int starts = 6;
 /// From one pilot to the next.
@@ -104,7 +102,7 @@ class FitStudy {
     std::optional<Scene> scene;
     try {
       scene = scene_of(family.overrides, 1.0);
-    } catch (const InputError& refusal) {
+    } catch (const InputError&) {
       family.note = "refused";
       return;
     }
@@ -117,7 +115,7 @@ class FitStudy {
             measure(*scene, fmt::format("{} at {:.4g} m", family.label, spacing));
         if (!pilot) return;
         // Before there is something to see, e.g. a period, is before the first pilot.
-        if (std::isfinite(pilot->error) && pilot->error != 0.0)
+        if (std::isfinite(pilot->error))
           family.pilots.push_back(*pilot);
         else if (!family.pilots.empty())
           family.note = "no answer at a finer spacing";
@@ -169,16 +167,9 @@ class FitStudy {
     return false;
   }
 
-  void conclude(FitFamily& family) {
-    const auto errors = believed_errors(family.pilots);
-    family.order = observed_order(family.pilots, errors);
-    const double spacing = spacing_for(family.pilots, errors, aim * table_.wanted);
-    family.spacing = next_division(scene_of(family.overrides, family.pilots.back().spacing),
-                                   spacing * (1.0 + 1e-9));
-    family.reaches = family.spacing > 0.0;
-    if (!family.reaches) return;
-    family.predicted_error = predicted_error(family.pilots, errors, family.spacing);
-    family.predicted_seconds = predicted_seconds(family.pilots, family.spacing, plan_.dimension);
+  void conclude(FitFamily& family) const {
+    tlsph::conclude(family, aim * table_.wanted,
+                    scene_of(family.overrides, family.pilots.back().spacing), plan_.dimension);
   }
 
   /// Of the families that reach the error; nullptr if none does.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "fit_plan.hpp"
 #include "probe_values.hpp"
 #include "tlsph/analysis/history.hpp"
 
@@ -53,6 +54,18 @@ std::optional<Pilot> run_pilot(const FitRequest& request, double answer, const S
   const bool factorises = scene.formulation == Formulation::thesis || scene.consistency.has_value();
   pilot.charged = pilot.stepping + (factorises ? pilot.setup : 0.0);
   return pilot;
+}
+
+void conclude(FitFamily& family, double error, const Scene& scene, int dimension) {
+  const auto errors = believed_errors(family.pilots);
+  family.order = observed_order(family.pilots, errors);
+  // A pilot that lies on the spacing itself counts, whatever its last digits.
+  const double spacing = spacing_for(family.pilots, errors, error) * (1.0 + 1e-9);
+  family.spacing = next_division(scene, spacing);
+  family.reaches = family.spacing > 0.0;
+  if (!family.reaches) return;
+  family.predicted_error = predicted_error(family.pilots, errors, family.spacing);
+  family.predicted_seconds = predicted_seconds(family.pilots, family.spacing, dimension);
 }
 
 }  // namespace tlsph

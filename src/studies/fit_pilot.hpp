@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// One run of a fit: what it takes and how far it is from the answer.
+/// One run of a fit: what it takes and how far it is from the answer; and what the runs of a family
+/// come to.
 
 #include <functional>
 #include <optional>
@@ -21,5 +22,9 @@ struct PilotOptions {
 /// the value has none, e.g. no period. Empty if it was interrupted. InputError, NumericalError.
 [[nodiscard]] std::optional<Pilot> run_pilot(const FitRequest& request, double answer,
                                              const Scene& scene, const PilotOptions& options);
+
+/// Fills what the pilots of a family predict for the coarsest division of the body of `scene` that
+/// reaches the error; `reaches` is false if there is no such division.
+void conclude(FitFamily& family, double error, const Scene& scene, int dimension);
 
 }  // namespace tlsph

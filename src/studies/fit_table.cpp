@@ -97,7 +97,7 @@ std::string FitTable::verdict_text() const {
   verdict += fmt::format("measured: error {:.3g} in {:.3g} s, {} particles, {} steps: {} {:.3g}\n",
                          measured_error, measured_seconds, particles, steps,
                          meets() ? "meets" : "misses", wanted);
-  if (coarsest) verdict += "there is no coarser spacing\n";
+  if (coarsest && measured_error < 0.2 * wanted) verdict += "there is no coarser spacing\n";
   return verdict;
 }
 

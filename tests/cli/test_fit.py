@@ -2,6 +2,8 @@
 
 import csv
 import json
+import signal
+import time
 import unittest
 
 from support import BAR, SHEET, SOURCE, ProgramTest, read_summary
@@ -73,6 +75,21 @@ class Fits(FitTest):
         done = self.fit("scene.toml", "--error", "0.01", "--value", "tip.cauchy_xx.max=1e9", code=1)
 
         self.assertIn("misses 0.01", done.stdout)
+        self.assertFalse(self.report()["meets"])
+
+    def test_interrupt_keeps_what_is_done(self):
+        beam = SOURCE / "examples/clamped_beam.toml"
+        process = self.start("fit", beam, "--error", "1e-6", "--value", PERIOD, "--out", "study", "--quiet")
+        limit = time.monotonic() + 60
+        while not (self.folder / "study/run").is_dir():
+            self.assertIsNone(process.poll(), "the study ended before it could be interrupted")
+            self.assertLess(time.monotonic(), limit)
+            time.sleep(0.02)
+
+        process.send_signal(signal.SIGINT)
+
+        self.assertEqual(process.wait(timeout=60), 130)
+        self.assertTrue(self.report()["interrupted"])
         self.assertFalse(self.report()["meets"])
 
     def test_bad_input(self):
