@@ -10,9 +10,13 @@ namespace {
 /// Moments are scaled to the radius; below this the nodes lie (nearly) on a line.
 constexpr double degenerate = 1e-3;
 
+/// Nodes that do not determine a fit are refused, or interpolated along the line they lie on.
+enum class OnALine { refused, allowed };
+
 /// Fit over the nodes within `radius`; empty if they do not determine it.
 template <int D>
-InterpolationRow fit(const VectorField<D>& X, const Vector<D>& x, double radius) {
+InterpolationRow fit(const VectorField<D>& X, const Vector<D>& x, double radius,
+                     OnALine line = OnALine::refused) {
   using Basis = Eigen::Matrix<double, D + 1, 1>;
   using Moment = Eigen::Matrix<double, D + 1, D + 1>;
   InterpolationRow row;
@@ -30,13 +34,16 @@ InterpolationRow fit(const VectorField<D>& X, const Vector<D>& x, double radius)
     basis.push_back(b);
     moment += w * b * b.transpose();
   }
-  if (row.node.size() <= D) return {};
+  if (row.node.size() < (line == OnALine::allowed ? 2 : D + 1)) return {};
   moment /= moment(0, 0);
   const Eigen::SelfAdjointEigenSolver<Moment> spectrum(moment);
-  if (spectrum.eigenvalues()[0] < degenerate) return {};
-  Basis one = Basis::Zero();
-  one[0] = 1.0;
-  const Basis c = moment.ldlt().solve(one);
+  const auto& eigenvalues = spectrum.eigenvalues();
+  if (eigenvalues[line == OnALine::allowed ? D - 1 : 0] < degenerate) return {};
+  // The direction in which the nodes do not differ, if any, is left out.
+  Basis c = Basis::Zero();
+  for (int k = 0; k <= D; ++k)
+    if (eigenvalues[k] >= degenerate)
+      c += spectrum.eigenvectors()(0, k) / eigenvalues[k] * spectrum.eigenvectors().col(k);
   double sum = 0.0;
   for (std::size_t k = 0; k < basis.size(); ++k) {
     row.weight[k] *= c.dot(basis[k]);
@@ -59,6 +66,13 @@ InterpolationRow linear_interpolation(const VectorField<D>& X, const Vector<D>& 
     InterpolationRow row = fit<D>(X, x, radius);
     if (!row.node.empty()) return row;
   }
+  // A body one cell thick has its stress points in one row.
+  if constexpr (D == 2)
+    for (double radius = distance + 0.6 * spacing; radius < distance + 2.0 * spacing;
+         radius += 0.25 * spacing) {
+      InterpolationRow row = fit<D>(X, x, radius, OnALine::allowed);
+      if (!row.node.empty()) return row;
+    }
   throw InputError("no particles around the position determine a linear interpolation there");
 }
 

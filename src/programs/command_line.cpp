@@ -142,6 +142,27 @@ void add_chart(CLI::App& app, CommandLine& line) {
   command->callback([&line] { line.command = Command::chart; });
 }
 
+void add_fit(CLI::App& app, CommandLine& line) {
+  auto* command =
+      app.add_subcommand("fit", "the cheapest model of a scene for a wanted error, verified");
+  add_scene(*command, line);
+  command->add_option("--error", line.error, "wanted, relative, e.g. 0.01")->required();
+  auto* quantity = command->add_option("--quantity", line.quantity,
+                                       "stress, displacement or velocity, against the exact "
+                                       "solution; default: the worst of the three");
+  command
+      ->add_option("--value", line.values,
+                   "instead: number to read off a probe, <probe>.<column>.<end|max|min|peak|"
+                   "period>, and its answer; without one it is extrapolated")
+      ->type_name("NAME[=ANSWER]")
+      ->expected(1)
+      ->excludes(quantity);
+  add_out(*command, line, "; default: out/<name of the scene>-fit");
+  add_threads(*command, line);
+  add_quiet(*command, line);
+  command->callback([&line] { line.command = Command::fit; });
+}
+
 void add_validate(CLI::App& app, CommandLine& line) {
   auto* command = app.add_subcommand(
       "validate", "run problems of the literature and hold what comes out against what must");
@@ -181,6 +202,7 @@ std::optional<CommandLine> parse_command_line(int argc, const char* const* argv)
   add_converge(app, line);
   add_stability(app, line);
   add_chart(app, line);
+  add_fit(app, line);
   add_validate(app, line);
   add_benchmark(app, line);
   app.add_subcommand("scene-reference", "every key of a scene: type, unit, default, range")

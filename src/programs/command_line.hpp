@@ -16,6 +16,7 @@ enum class Command {
   export_operators,
   converge,
   chart,
+  fit,
   stability,
   validate,
   benchmark,
@@ -35,7 +36,7 @@ struct CommandLine {
   std::vector<std::string> over;          // converge, key=a,b,c
   std::vector<std::uint64_t> seeds;       // converge
   std::vector<std::string> clouds;        // converge
-  std::vector<std::string> values;        // converge, chart
+  std::vector<std::string> values;        // converge, chart, fit (one)
   std::vector<std::string> peers;         // chart
   double budget = 120.0;                  // chart [s]
   std::vector<std::string> cases;         // validate; empty: all
@@ -43,6 +44,8 @@ struct CommandLine {
   double particles = 0.0;                 // benchmark; 0: the usual number
   double seconds = 0.0;                   // benchmark; 0: the usual batch
   std::string only;                       // stability; empty: all
+  double error = 0.0;                     // fit
+  std::string quantity;                   // fit; empty: the worst
 };
 
 /// Reads the arguments. Empty if all the user wanted was help or the version, which is printed

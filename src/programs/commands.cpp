@@ -20,6 +20,7 @@
 #include "tlsph/studies/chart.hpp"
 #include "tlsph/studies/converge.hpp"
 #include "tlsph/studies/figure.hpp"
+#include "tlsph/studies/fit.hpp"
 #include "tlsph/studies/validation.hpp"
 
 namespace tlsph {
@@ -158,6 +159,33 @@ ExitCode chart_scene(const CommandLine& line) {
   return table.interrupted ? interruption() : ExitCode::done;
 }
 
+ExitCode fit_scene(const CommandLine& line) {
+  const std::filesystem::path out =
+      line.out.empty() ? "out" / line.scene.stem().concat("-fit") : line.out;
+  FitRequest request{line.scene, line.overrides, line.error, line.quantity, std::nullopt};
+  if (!line.values.empty()) request.value = parse_chart_value(line.values.front());
+  ProgressDisplay display(stdout, ProgressDisplay::style_for(stdout, line.quiet));
+  FitOptions options;
+  options.out = out;
+  options.threads = std::max(1, line.threads);
+  options.stop_requested = catch_interrupts();
+  options.progress = [&](const std::string& what, double share) { display.show(share, what); };
+  if (!line.quiet)
+    options.after_choice = [&](const FitTable& table) {
+      display.clear();
+      print(table.choice_text());
+    };
+
+  const FitTable table = fit(request, options);
+
+  display.clear();
+  if (!line.quiet)
+    print(fmt::format("{0}scene in {1}/scene.toml, pilots in {1}/fit.csv\n", table.verdict_text(),
+                      out.string()));
+  if (table.interrupted) return interruption();
+  return table.meets() ? ExitCode::done : ExitCode::verdict_failed;
+}
+
 ExitCode validate_cases(const CommandLine& line) {
   const std::filesystem::path out = line.out.empty() ? "out/validation" : line.out;
   ProgressDisplay display(stdout, ProgressDisplay::style_for(stdout, line.quiet));
@@ -223,6 +251,8 @@ ExitCode execute(const CommandLine& line) {
       return draw_stability(line);
     case Command::chart:
       return chart_scene(line);
+    case Command::fit:
+      return fit_scene(line);
     case Command::validate:
       return validate_cases(line);
     case Command::benchmark:

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "savings.hpp"
 #include "tlsph/dynamics/critical_step.hpp"
 #include "tlsph/dynamics/sweep.hpp"
 #include "tlsph/linear/factor_cost.hpp"
@@ -52,8 +53,14 @@ std::string correction_line(const Scene& scene, const CorrectionCost& cost, int 
 }
 
 /// Steps and the time they cover; without an adjoint what may grow.
+struct Steps {
+  std::string text;
+  double critical = 0.0;  ///< [s]; 0: not known
+  double number = 0.0;
+};
+
 template <int D>
-std::string step_lines(const Scene& scene, const Discretisation<D>& disc) {
+Steps steps_of(const Scene& scene, const Discretisation<D>& disc) {
   InitialState<D> initial = build_initial<D>(scene, disc);
   (void)build_exact<D>(scene, disc);
   State<D> state =
@@ -61,15 +68,15 @@ std::string step_lines(const Scene& scene, const Discretisation<D>& disc) {
   evaluate<D>(disc, state);
   const CriticalStep critical = critical_step<D>(disc, state);
   const double dt = scene.time.step.value_or(scene.time.safety * critical.dt);
-  const double steps = std::ceil(scene.time.end / dt);
-  std::string text = fmt::format(
+  Steps steps{"", critical.dt, std::ceil(scene.time.end / dt)};
+  steps.text = fmt::format(
       "time step {:.4e} s (critical {:.4e} s = {:.3f} spacings/c_p), {:.0f} steps to "
       "{:.4g} s\n",
-      dt, critical.dt, critical.scaled, steps, scene.time.end);
+      dt, critical.dt, critical.scaled, steps.number, scene.time.end);
   if (critical.growth)
-    text += fmt::format("largest growth rate of a free motion {:.2e} c_p/spacing\n",
-                        *critical.growth * disc.spacing / disc.wave_speed());
-  return text;
+    steps.text += fmt::format("largest growth rate of a free motion {:.2e} c_p/spacing\n",
+                              *critical.growth * disc.spacing / disc.wave_speed());
+  return steps;
 }
 
 template <int D>
@@ -123,12 +130,17 @@ std::string plan_in(const Scene& scene) {
                       disc.constraints.fixed.size() + disc.constraints.held.size(),
                       disc.constraints.moved.size(), disc.loads.size());
   if (correction) text += correction_line(scene, *correction, D);
-  text += patient ? step_lines<D>(scene, disc)
-                  : std::string("time step: known once the gradient is corrected, in a run\n");
+  Steps steps{"time step: known once the gradient is corrected, in a run\n"};
+  if (patient) steps = steps_of<D>(scene, disc);
+  text += steps.text;
   const double bytes = correction ? operator_bytes(scene, static_cast<double>(disc.nodes())) +
                                         correction->factor.bytes
                                   : operator_bytes(scene, static_cast<double>(disc.nodes()));
   text += fmt::format("memory about {:.3g} MB\n", bytes * 1e-6);
+  const std::string spare = savings::of_reduction(scene, disc.nodes()) + savings::of_law(scene) +
+                            savings::of_support<D>(scene, disc, steps.critical) +
+                            savings::of_output<D>(scene, disc, steps.number);
+  if (!spare.empty()) text += "it could do without\n" + spare;
   return text;
 }
 

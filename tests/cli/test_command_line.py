@@ -33,7 +33,7 @@ class CommandLine(ProgramTest):
         done = self.tlsph("--help")
 
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-        for command in ("run", "plan", "export", "converge", "chart", "stability", "validate", "benchmark",
+        for command in ("run", "plan", "export", "converge", "chart", "fit", "stability", "validate", "benchmark",
                         "scene-reference"):
             self.assertRegex(done.stdout, rf"(?m)^  {command} ")
 

@@ -16,8 +16,9 @@ struct InterpolationRow {
 
 /// The row for position x [m] among nodes X (N×d): the node itself if one lies within 1e-6
 /// `spacing`, else a linear moving-least-squares fit over the nodes around, as few layers of them
-/// as determine it (so it extrapolates linearly just outside the cloud). InputError if no radius
-/// does.
+/// as determine it (so it extrapolates linearly just outside the cloud). Where all nodes around lie
+/// on one line, as the stress points of a body one cell thick, linear along it and constant across.
+/// InputError if neither does.
 template <int D>
 [[nodiscard]] InterpolationRow linear_interpolation(const VectorField<D>& X, const Vector<D>& x,
                                                     double spacing);

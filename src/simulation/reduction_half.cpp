@@ -1,0 +1,190 @@
+// A body that is its own mirror image is twice its half.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "reduction_parts.hpp"
+#include "tlsph/curves/curve.hpp"
+#include "tlsph/geometry/region.hpp"
+#include "tlsph/simulation/reduction.hpp"
+
+namespace tlsph {
+namespace {
+
+constexpr std::array<std::array<const char*, 2>, 2> sides = {
+    {{"left", "right"}, {"bottom", "top"}}};
+/// Lengths that differ by less, of the size of the body, are the same; so are loads and motions, of
+/// their largest value.
+constexpr double same = 1e-9;
+
+/// The plane X_axis = position, and how far lengths may be off.
+struct Mirror {
+  int axis = 0;
+  double position = 0.0, tolerance = 0.0;
+  [[nodiscard]] bool twins(double a, double b) const {
+    return std::abs(a + b - 2.0 * position) <= tolerance;
+  }
+  [[nodiscard]] bool equal(double a, double b) const { return std::abs(a - b) <= tolerance; }
+};
+
+/// What one side does, summed over its entries: components held, and histories by component, at
+/// instants all over the run.
+struct Action {
+  std::array<bool, 2> held{};
+  std::array<std::vector<double>, 2> motion, load;
+};
+
+/// `outward`: the sign of the outer normal.
+Action action_of(const Scene& scene, const std::string& side, int axis, double outward) {
+  constexpr std::size_t instants = 97;
+  Action action;
+  for (auto* histories : {&action.motion[0], &action.motion[1], &action.load[0], &action.load[1]})
+    histories->assign(instants, 0.0);
+  const auto add = [&](std::vector<double>& history, const Curve& curve, double factor = 1.0) {
+    for (std::size_t k = 0; k < instants; ++k)
+      history[k] += factor * value(curve, scene.time.end * static_cast<double>(k) / (instants - 1));
+  };
+  for (const BoundaryScene& entry : scene.boundaries) {
+    if (entry.where != side) continue;
+    for (const int c : entry.fixed) action.held[static_cast<std::size_t>(c)] = true;
+    if (entry.symmetry) action.held[static_cast<std::size_t>(axis)] = true;
+    for (const ComponentCurve& m : entry.motion)
+      add(action.motion[static_cast<std::size_t>(m.component)], m.curve);
+    for (const ComponentCurve& t : entry.traction)
+      add(action.load[static_cast<std::size_t>(t.component)], t.curve);
+    if (entry.normal_traction)
+      add(action.load[static_cast<std::size_t>(axis)], *entry.normal_traction, outward);
+  }
+  return action;
+}
+
+bool equal(const std::vector<double>& a, const std::vector<double>& b, double sign) {
+  double largest = 0.0;
+  double difference = 0.0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    largest = std::max({largest, std::abs(a[k]), std::abs(b[k])});
+    difference = std::max(difference, std::abs(a[k] - sign * b[k]));
+  }
+  return difference <= same * largest;
+}
+
+bool mirrored_conditions(const Scene& scene, const Mirror& mirror) {
+  const auto normal = static_cast<std::size_t>(mirror.axis);
+  const std::size_t along = 1 - normal;
+  const Action low = action_of(scene, sides[normal][0], mirror.axis, -1.0);
+  const Action high = action_of(scene, sides[normal][1], mirror.axis, 1.0);
+  if (low.held != high.held) return false;
+  for (const auto& [a, b] : {std::pair(low.motion, high.motion), std::pair(low.load, high.load)})
+    if (!equal(a[normal], b[normal], -1.0) || !equal(a[along], b[along], 1.0)) return false;
+  return std::ranges::all_of(scene.boundaries, [&](const BoundaryScene& entry) {
+    if (entry.where == sides[normal][0] || entry.where == sides[normal][1])
+      return entry.held.empty();
+    const bool cut_in_two =
+        entry.where == sides[along][0] || entry.where == sides[along][1] || entry.where == "hole";
+    const auto acts_across = [&](const ComponentCurve& c) { return c.component == mirror.axis; };
+    return cut_in_two && entry.held.empty() && std::ranges::none_of(entry.motion, acts_across) &&
+           std::ranges::none_of(entry.traction, acts_across);
+  });
+}
+
+bool mirrored(const InitialField& field, const Mirror& mirror) {
+  if (field.kind == InitialField::Kind::zero) return true;
+  if (field.kind != InitialField::Kind::linear) return false;
+  const auto n = static_cast<std::size_t>(mirror.axis);
+  const std::size_t t = 1 - n;
+  const auto& g = field.gradient;
+  if (g.empty()) return field.constant[n] == 0.0;
+  return g[n][t] == 0.0 && g[t][n] == 0.0 &&
+         std::abs(field.constant[n] + g[n][n] * mirror.position) <=
+             std::abs(g[n][n]) * mirror.tolerance;
+}
+
+/// A hole that is its own image; or, among `all`, has one.
+bool has_twin(const Shape<2>& hole, const std::vector<Shape<2>>& all, const Mirror& mirror) {
+  const int n = mirror.axis;
+  const int t = 1 - n;
+  return std::ranges::any_of(all, [&](const Shape<2>& other) {
+    if (const auto* a = std::get_if<Disc>(&hole.form)) {
+      const auto* b = std::get_if<Disc>(&other.form);
+      return b != nullptr && mirror.equal(a->radius, b->radius) &&
+             mirror.twins(a->centre(n), b->centre(n)) && mirror.equal(a->centre(t), b->centre(t));
+    }
+    const auto* a = std::get_if<Box<2>>(&hole.form);
+    const auto* b = std::get_if<Box<2>>(&other.form);
+    return a != nullptr && b != nullptr && mirror.twins(a->lower(n), b->upper(n)) &&
+           mirror.twins(a->upper(n), b->lower(n)) && mirror.equal(a->lower(t), b->lower(t)) &&
+           mirror.equal(a->upper(t), b->upper(t));
+  });
+}
+
+std::string text_of(const Box<2>& box) {
+  return fmt::format("{{box=[[{:.17g},{:.17g}],[{:.17g},{:.17g}]]}}", box.lower.x(), box.lower.y(),
+                     box.upper.x(), box.upper.y());
+}
+
+std::string text_of(const Shape<2>& hole) {
+  if (const auto* box = std::get_if<Box<2>>(&hole.form)) return text_of(*box);
+  const auto& disc = std::get<Disc>(hole.form);
+  return fmt::format("{{disc={{centre=[{:.17g},{:.17g}],radius={:.17g}}}}}", disc.centre.x(),
+                     disc.centre.y(), disc.radius);
+}
+
+/// The half box without the holes that reach into it.
+std::string half_shape(const Box<2>& half, const std::vector<Shape<2>>& holes, int axis) {
+  std::string text;
+  for (const Shape<2>& hole : holes) {
+    const Box<2> around = bounding_box(hole);
+    if (around.lower(axis) < half.upper(axis) && around.upper(axis) > half.lower(axis))
+      text.append(",").append(text_of(hole));
+  }
+  return text.empty() ? text_of(half) : fmt::format("{{difference=[{}{}]}}", text_of(half), text);
+}
+
+}  // namespace
+
+std::optional<Reduction> to_half(const Scene& scene, int axis) {
+  if (!is_plain(scene) || (scene.exact != ExactKind::none && axis == 0)) return std::nullopt;
+  const auto& shape = std::get<Shape<2>>(scene.body.shape);
+  const auto* box = std::get_if<Box<2>>(&base_of(shape).form);
+  if (box == nullptr) return std::nullopt;
+  const Mirror mirror{axis, 0.5 * (box->lower(axis) + box->upper(axis)),
+                      same * (box->upper - box->lower).maxCoeff()};
+  const std::vector<Shape<2>> holes = holes_of(shape);
+  if (!std::ranges::all_of(holes, [&](const auto& h) { return has_twin(h, holes, mirror); }) ||
+      !mirrored_conditions(scene, mirror) || !mirrored(scene.displacement, mirror) ||
+      !mirrored(scene.velocity, mirror))
+    return std::nullopt;
+  const auto n = static_cast<std::size_t>(axis);
+  if (!scene.body_force.empty() && scene.body_force[n] != 0.0) return std::nullopt;
+  for (std::size_t k = 1; k < scene.materials.size(); ++k)
+    if (!mirror.twins(scene.materials[k].lower[n], scene.materials[k].upper[n]))
+      return std::nullopt;
+  const auto on_side = [&](double sign) {
+    return std::ranges::all_of(scene.probes, [&](const ProbeScene& probe) {
+      return sign * (probe.at[n] - mirror.position) <= mirror.tolerance;
+    });
+  };
+  const bool lower = on_side(1.0);
+  if (!lower && !on_side(-1.0)) return std::nullopt;
+
+  Box<2> half = *box;
+  (lower ? half.upper : half.lower)(axis) = mirror.position;
+  const char* cut = sides[n][lower ? 1 : 0];
+  Reduction reduction;
+  reduction.what =
+      fmt::format("half of it: {} = {:.6g} m is a plane of symmetry", "xy"[axis], mirror.position);
+  reduction.overrides.push_back("body.shape=" + half_shape(half, holes, axis));
+  std::size_t kept = scene.boundaries.size();
+  for (std::size_t k = scene.boundaries.size(); k-- > 0;)
+    if (scene.boundaries[k].where == cut) {
+      reduction.removed.push_back(fmt::format("boundary[{}]", k));
+      --kept;
+    }
+  reduction.overrides.push_back(
+      fmt::format("boundary[{}]={{where=\"{}\",symmetry=true}}", kept, cut));
+  return reduction;
+}
+
+}  // namespace tlsph

@@ -1,0 +1,177 @@
+#include "fit_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "chart_plan.hpp"
+#include "probe_values.hpp"
+#include "tlsph/core/error.hpp"
+#include "tlsph/geometry/region.hpp"
+#include "tlsph/particles/division.hpp"
+#include "tlsph/scene/edit.hpp"
+#include "tlsph/scene/names.hpp"
+#include "tlsph/scene/reader.hpp"
+#include "tlsph/simulation/reduction.hpp"
+
+namespace tlsph {
+namespace {
+
+constexpr std::array<const char*, 3> quantities = {"displacement", "velocity", "stress"};
+/// What is the model's to choose.
+constexpr std::array<const char*, 14> chosen = {
+    "formulation", "boundary_treatment", "boundary_solver", "precision",     "consistency",
+    "kernel",      "stabiliser",         "output",          "time.step",     "body.fit",
+    "body.jitter", "body.seed",          "body.layout",     "body.placement"};
+/// Choices of a family that may differ from the defaults of its formulation; kernels differ little.
+constexpr int variety = 1;
+
+void check(const FitRequest& request, const Scene& scene) {
+  if (!(request.error > 0.0 && request.error < 1.0))
+    throw InputError(
+        {"--error", 0, 0, ""},
+        fmt::format("{} is no relative error; allowed: above 0, below 1", request.error));
+  if (!request.quantity.empty()) {
+    const Place option{"--quantity", 0, 0, ""};
+    if (std::ranges::find(quantities, request.quantity) == quantities.end())
+      throw InputError(option, fmt::format("there is no \"{}\"; choose from displacement, "
+                                           "velocity, stress",
+                                           request.quantity));
+    if (request.value) throw InputError(option, "goes without --value: a field or a number");
+    if (scene.exact == ExactKind::none)
+      throw InputError(option,
+                       "fields are held against reference.exact, which the scene has not; "
+                       "give --value NAME[=ANSWER]");
+  }
+  if (!scene.body.cloud.empty())
+    throw InputError(scene.body.cloud_place,
+                     "points of a file have a spacing of their own, and that is what is chosen "
+                     "here: leave the cloud out, the shape is filled");
+}
+
+/// The probe and the quantity behind "<probe>.<quantity>[_component].<word>".
+struct Read {
+  std::size_t probe = 0;
+  std::string quantity, component;
+};
+
+Read read_of(const std::string& value, const Scene& scene) {
+  const std::string column = value.substr(0, value.rfind('.'));
+  for (std::size_t k = 0; k < scene.probes.size(); ++k) {
+    const ProbeScene& probe = scene.probes[k];
+    if (!column.starts_with(probe.name + ".")) continue;
+    const std::string quantity = column.substr(probe.name.size() + 1);
+    for (const Quantity recorded : probe.record) {
+      const std::string stem(name_of(recorded));
+      if (quantity == stem) return {k, stem, ""};
+      if (quantity.starts_with(stem + "_")) return {k, stem, quantity.substr(stem.size() + 1)};
+    }
+  }
+  return {};
+}
+
+/// Leaves of the probes the one that is read.
+std::string without_output(const std::string& text, const FitRequest& request, const Scene& scene) {
+  std::vector<std::string> removed(chosen.begin(), chosen.end());
+  std::vector<std::string> overrides = {"output.frames=0"};
+  if (!request.value) {
+    removed.emplace_back("probe");
+  } else {
+    const Read read = read_of(request.value->name, scene);
+    for (std::size_t k = scene.probes.size(); k-- > 0;)
+      if (k != read.probe) removed.push_back(fmt::format("probe[{}]", k));
+    overrides.push_back(fmt::format("probe[0].name=\"{}\"", scene.probes[read.probe].name));
+    overrides.push_back(fmt::format("probe[0].record=[\"{}\"]", read.quantity));
+  }
+  return edit_scene_text(text, scene.file, removed, overrides);
+}
+
+/// The smaller scene, if it is one.
+bool reduce(FitPlan& plan, const std::optional<Reduction>& reduction) {
+  if (!reduction) return false;
+  const std::string text =
+      edit_scene_text(plan.text, plan.name, reduction->removed, reduction->overrides);
+  try {
+    plan.dimension = read_scene_text(text, plan.name).dimension;
+  } catch (const InputError&) {
+    return false;
+  }
+  plan.text = text;
+  plan.reductions.push_back(reduction->what);
+  return true;
+}
+
+void reduce(FitPlan& plan, const FitRequest& request, const Scene& scene) {
+  if (plan.dimension != 2) return;
+  const bool reads_y =
+      request.value && read_of(request.value->name, scene).component.find('y') != std::string::npos;
+  if (!reads_y && reduce(plan, to_one_dimension(read_scene_text(plan.text, plan.name)))) return;
+  for (const int axis : {0, 1}) reduce(plan, to_half(read_scene_text(plan.text, plan.name), axis));
+}
+
+std::vector<std::string> linear_law(const Scene& scene) {
+  const bool linear = std::ranges::all_of(scene.materials, [](const MaterialScene& material) {
+    return material.law == LawKind::linear_elastic;
+  });
+  if (linear || scene.exact == ExactKind::uniform_stretch) return {};
+  std::vector<std::string> overrides = {"material.law=linear-elastic"};
+  for (std::size_t k = 1; k < scene.materials.size(); ++k)
+    overrides.push_back(fmt::format("material.region[{}].law=linear-elastic", k - 1));
+  return overrides;
+}
+
+template <int D>
+double next_division_in(const Scene& scene, double spacing) {
+  const Box<D> box = bounding_box(std::get<Shape<D>>(scene.body.shape));
+  const double shortest = (box.upper - box.lower).minCoeff();
+  const double first = std::max(1.0, std::ceil(shortest / spacing * (1.0 - 1e-9)));
+  // Beyond 50 cells a length every division fits.
+  for (double n = first; n <= first + 100.0; n += 1.0) {
+    try {
+      (void)divide<D>(box, shortest / n);
+      return shortest / n;
+    } catch (const InputError&) {
+    }
+  }
+  return 0.0;
+}
+
+}  // namespace
+
+FitPlan plan_fit(const FitRequest& request) {
+  const Scene scene = read_scene(request.scene, request.overrides);
+  check(request, scene);
+  ChartRequest study;
+  study.scene = request.scene;
+  study.overrides = request.overrides;
+  if (request.value) study.values = {*request.value};
+  study.spacings = {scene.body.spacing};
+  (void)plan_chart(study);
+
+  FitPlan plan;
+  plan.name = scene.file;
+  plan.dimension = scene.dimension;
+  plan.spacing = scene.body.spacing;
+  plan.text = without_output(scene.text, request, scene);
+  reduce(plan, request, scene);
+  plan.quantity = request.value              ? request.value->name
+                  : request.quantity.empty() ? "worst of displacement, velocity and stress"
+                                             : request.quantity;
+  for (ChartFamily& family : chart_families(plan.dimension, {})) {
+    const bool ghosted = !is_adjoint(*from_name<Formulation>(family.formulation));
+    const char* kernel = ghosted ? "modified-mollifier" : "wendland-c2";
+    if (family.distance <= variety && (family.kernel.empty() || family.kernel == kernel))
+      plan.families.push_back(std::move(family));
+  }
+  plan.linear = linear_law(scene);
+  return plan;
+}
+
+double next_division(const Scene& scene, double spacing) {
+  return scene.dimension == 1 ? next_division_in<1>(scene, spacing)
+                              : next_division_in<2>(scene, spacing);
+}
+
+}  // namespace tlsph
