@@ -116,7 +116,7 @@ std::string of_law(const Scene& scene) {
   if (law == LawKind::linear_elastic || scene.kernel.support) return "";
   const double strain = strain_estimate(scene);
   if (!(strain < small_strain)) return "";
-  const double share = scene.dimension == 1 ? 0.4 : 0.75;  // as runs of the examples show
+  const double share = scene.dimension == 1 ? 0.4 : 0.8;  // as runs of the examples show
   return fmt::format(
       "  {} at strains of at most about {:.1e}: law = \"linear-elastic\" differs by as little, at "
       "about {} of the time of a step\n",
