@@ -9,8 +9,9 @@ namespace tlsph::sweep {
 namespace {
 
 /// ln(1 + e) to full relative precision for small e, after fdlibm's log1p (Sun Microsystems 1993):
-/// 1 + e = 2^k (1 + f), and e itself is f for k = 0.
-TLSPH_INLINE Real log_volume(Real e, Real J) {
+/// 1 + e = 2^k (1 + f), and e itself is f for k = 0. It needs 1/(2 + f), the caller 1/J: one
+/// division serves both.
+TLSPH_INLINE Real log_volume(Real e, Real J, Real& inverse) {
   constexpr std::int64_t root_half = 0x3FE6A09E667F3BCD;  // of √½
   constexpr std::int64_t bias = std::int64_t{1024} << 52;
   using Unsigned = std::uint64_t __attribute__((vector_size(TLSPH_LANES * 8)));
@@ -26,7 +27,9 @@ TLSPH_INLINE Real log_volume(Real e, Real J) {
   Real exponent;
   std::memcpy(&exponent, &shifted, sizeof exponent);
   exponent -= 0x1.8p52;
-  const Real s = f / (2.0 + f);
+  const Real both = 1.0 / (J * (2.0 + f));
+  inverse = both * (2.0 + f);
+  const Real s = f * J * both;
   const Real z = s * s;
   Real series = all(1.479819860511658591e-01);
   series = series * z + 1.531383769920937332e-01;
@@ -97,14 +100,17 @@ struct NeoHookean {
   TLSPH_INLINE void operator()(Real& h, Whole& good) const {
     const Real J = 1.0 + h;
     good &= (J > 0.0) & (J < huge);
-    h = (mu * (h * J + h) + lambda * log_volume(h, J)) / J;
+    Real inverse;
+    const Real log = log_volume(h, J, inverse);
+    h = (mu * (h * J + h) + lambda * log) * inverse;
   }
   TLSPH_INLINE void operator()(Real& h00, Real& h10, Real& h01, Real& h11, Whole& good) const {
     const Real e = h00 + h11 + (h00 * h11 - h01 * h10);
     const Real J = 1.0 + e;
     good &= (J > 0.0) & (J < huge);
-    const Real inverse = 1.0 / J;
-    const Real pressure = lambda * log_volume(e, J) * inverse;
+    Real inverse;
+    const Real log = log_volume(e, J, inverse);
+    const Real pressure = lambda * log * inverse;
     const Real shear_modulus = mu * inverse;
     const Real stretch = shear_modulus * (h00 - h11);
     const Real shear = shear_modulus * (h01 + h10);

@@ -67,6 +67,10 @@ TLSPH_INLINE void gradient_stencil(const Table& table, const RowRun& run, const 
     }
 }
 
+/// Entries of general rows that are fetched before they are wanted: rows are short, and the
+/// processor's own prefetching falls behind their sums.
+constexpr Index ahead = 128;
+
 template <int D, int Directions, class Weight>
 TLSPH_INLINE void gradient_general(const Table& table, const Weight* weights, const RowRun& run,
                                    const double* u, const Window& window) {
@@ -87,6 +91,7 @@ TLSPH_INLINE void gradient_general(const Table& table, const Weight* weights, co
         sum[part][a] += static_cast<double>(weights[entry * Directions + a]) * value;
     };
     for (; k + 2 <= end; k += 2) {
+      __builtin_prefetch(weights + (k + ahead) * Directions);
       add(k, 0);
       add(k + 1, 1);
     }
@@ -155,6 +160,7 @@ TLSPH_INLINE void divergence_general(const Table& table, const Weight* weights, 
   for (Index row = run.first; row < run.first + run.count; ++row) {
     Value sum[Directions] = {};
     for (Index k = table.row_start[row]; k < table.row_start[row + 1]; ++k) {
+      __builtin_prefetch(weights + (k + ahead) * Directions);
       const Index from = (static_cast<Index>(table.column[k]) - P.base) * D;
       for (int a = 0; a < Directions; ++a)
         sum[a] +=
