@@ -64,8 +64,9 @@ def draw(options):
             raise PlotError(f"{path}: no error {name}; it has: {listing(quantities)}")
     across = min(len(wanted), 3)
     down = -(-len(wanted) // across)
+    named = max(sum(name in point["front"] for point in points) for name in wanted)  # a line each below
     figure, all_axes = plt.subplots(down, across, squeeze=False, figsize=(
-        WIDTH if across > 1 else 0.75 * WIDTH, 4.4 * down))
+        WIDTH if across > 1 else 0.75 * WIDTH, (4.4 + 0.16 * max(0, named - 9)) * down))
     for axes in all_axes.flat[len(wanted):]:
         axes.set_visible(False)
     for axes, name in zip(all_axes.flat, wanted):
