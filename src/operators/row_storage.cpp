@@ -145,8 +145,9 @@ StorageReport report(const RowStorage& storage, const Neighbours& pattern) {
       continue;
     }
     result.general_rows += run.count;
-    const Index entries = pattern.start[static_cast<std::size_t>(run.first + run.count)] -
-                          pattern.start[static_cast<std::size_t>(run.first)];
+    const Index entries =
+        pattern.start[static_cast<std::size_t>(run.first) + static_cast<std::size_t>(run.count)] -
+        pattern.start[static_cast<std::size_t>(run.first)];
     result.bytes += static_cast<double>(entries) * (sizeof(int) + stride * sizeof(double)) +
                     run.count * static_cast<double>(sizeof(Index));
   }
