@@ -42,7 +42,7 @@ RegionLaw<D> law_of(const AnyLaw<D>& any, const sweep::Kernels<D>& kernels) {
         else if constexpr (std::is_same_v<Law, NeoHookean<D, Assumption::strain>>)
           return {kernels.neo_hookean, constants, nullptr};
         else
-          return {nullptr, constants, &any};
+          return {{}, constants, &any};
       },
       any);
 }

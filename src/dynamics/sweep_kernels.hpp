@@ -48,6 +48,16 @@ struct LawConstants {
   double mu = 0.0;
 };
 
+/// What makes velocities and places of accelerations; arrays of the whole body.
+struct Motion {
+  double kick = 0.0, dt = 0.0;
+  double* v = nullptr;
+  double* u = nullptr;
+  const double* rows = nullptr;  ///< to be taken off the acceleration from row `rows_base` on
+  Index rows_base = 0;
+  double body_force[2] = {0.0, 0.0};  ///< acceleration
+};
+
 /// H of `count` points becomes P, in place. False where det F ≤ 0 or a stress is not finite.
 using LawKernel = bool (*)(const LawConstants& constants, double* const* field, Index first,
                            Index count);
@@ -55,6 +65,17 @@ using LawKernel = bool (*)(const LawConstants& constants, double* const* field, 
 /// Overruns: kernels write up to `overrun` doubles beyond the last row of their output, which must
 /// have room for them, and read as far beyond the inputs that are windows.
 inline constexpr Index overrun = 32;
+
+/// H = G u and P of rows; out holds P and, with modes, their rows. False as above.
+using PointsKernel = bool (*)(const LawConstants& constants, const Table&, Runs, const double* u,
+                              Index size, Window out);
+
+/// What is made for each law.
+struct LawKernels {
+  LawKernel law = nullptr;
+  PointsKernel points = nullptr;
+  PointsKernel points_and_modes = nullptr;
+};
 
 template <int D>
 struct Kernels {
@@ -65,11 +86,14 @@ struct Kernels {
   /// out[row] = Σ_a Σ_k w^a_k P_a[column_k].
   void (*divergence)(const Table&, Runs, Window P, double* out, Index out_base);
   void (*divergence_and_modes)(const Table&, Runs, Window P, double* out, Index out_base);
+  /// The same for accelerations that move their rows: v += kick a, u += dt v; the largest |v|.
+  double (*move)(const Table&, Runs, Window P, const Motion&);
+  double (*move_with_modes)(const Table&, Runs, Window P, const Motion&);
   /// out[row] = Σ_k w_k (x[column_k] − x[row]).
   void (*differences)(const Table&, Runs, const double* x, Index size, double* out, Index out_base);
-  LawKernel linear_elastic;
-  LawKernel st_venant_kirchhoff;
-  LawKernel neo_hookean;
+  LawKernels linear_elastic;
+  LawKernels st_venant_kirchhoff;
+  LawKernels neo_hookean;
   /// `count` rounds of independent fused multiply-adds on registers; their number, and a sum so
   /// that nobody leaves them out.
   Index (*multiply_adds)(Index count, double& sum);

@@ -3,8 +3,8 @@
 /// Included by one source an instruction set, which defines TLSPH_LANES, the doubles of a vector.
 /// Everything is local to that source.
 
-#include "sweep_laws.hpp"
-#include "sweep_products.hpp"
+#include "sweep_nodes.hpp"
+#include "sweep_points.hpp"
 
 namespace tlsph::sweep {
 namespace {
@@ -49,16 +49,23 @@ double update(Index size, double kick, double dt, const double* a, double* v, do
   return largest;
 }
 
+template <int D, class Law>
+constexpr LawKernels law_kernels() {
+  return {apply_law<D, Law>, points<D, D, Law>, points<D, D + 1, Law>};
+}
+
 template <int D>
 constexpr Kernels<D> make_kernels() {
   return {gradient<D, D>,
           gradient<D, D + 1>,
           divergence<D, D>,
           divergence<D, D + 1>,
+          move<D, D>,
+          move<D, D + 1>,
           differences<D>,
-          apply_law<D, LinearElastic>,
-          apply_law<D, StVenantKirchhoff>,
-          apply_law<D, NeoHookean>,
+          law_kernels<D, LinearElastic>(),
+          law_kernels<D, StVenantKirchhoff>(),
+          law_kernels<D, NeoHookean>(),
           multiply_adds,
           subtract,
           update};

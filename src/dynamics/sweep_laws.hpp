@@ -45,7 +45,31 @@ TLSPH_INLINE Real log_volume(Real e, Real J, Real& inverse) {
          ((half_square - (s * (half_square + series) + low)) - f);
 }
 
+/// Up to here the series below is good to the last bit; nearly all that is elastic and not rubber.
+constexpr double small_change = 0x1p-4;
+
+/// The same for |e| ≤ small_change in all lanes: 2 artanh(e/(2 + e)), by its series.
+TLSPH_INLINE Real log_of_small_change(Real e, Real J, Real& inverse) {
+  const Real both = 1.0 / (J * (2.0 + e));
+  inverse = both * (2.0 + e);
+  const Real s = e * J * both;
+  const Real z = s * s;
+  Real series = all(2.0 / 9.0);
+  series = series * z + 2.0 / 7.0;
+  series = series * z + 2.0 / 5.0;
+  series = series * z + 2.0 / 3.0;
+  return s * (2.0 + z * series);
+}
+
 constexpr double huge = 0x1p1000;
+
+/// ln J and 1/J; `good` loses the lanes where J ≤ 0 or is not finite.
+TLSPH_INLINE Real log_and_inverse(Real e, Real J, Real& inverse, Whole& good) {
+  if (everywhere((e < small_change) & (e > -small_change)))
+    return log_of_small_change(e, J, inverse);
+  good &= (J > 0.0) & (J < huge);
+  return log_volume(e, J, inverse);
+}
 
 /// Stresses from displacement gradients, component by component; `good` loses the lanes whose state
 /// is none.
@@ -99,17 +123,15 @@ struct NeoHookean {
   Real lambda, mu;
   TLSPH_INLINE void operator()(Real& h, Whole& good) const {
     const Real J = 1.0 + h;
-    good &= (J > 0.0) & (J < huge);
     Real inverse;
-    const Real log = log_volume(h, J, inverse);
+    const Real log = log_and_inverse(h, J, inverse, good);
     h = (mu * (h * J + h) + lambda * log) * inverse;
   }
   TLSPH_INLINE void operator()(Real& h00, Real& h10, Real& h01, Real& h11, Whole& good) const {
     const Real e = h00 + h11 + (h00 * h11 - h01 * h10);
     const Real J = 1.0 + e;
-    good &= (J > 0.0) & (J < huge);
     Real inverse;
-    const Real log = log_volume(e, J, inverse);
+    const Real log = log_and_inverse(e, J, inverse, good);
     const Real pressure = lambda * log * inverse;
     const Real shear_modulus = mu * inverse;
     const Real stretch = shear_modulus * (h00 - h11);
@@ -128,66 +150,59 @@ struct NeoHookean {
   }
 };
 
+// Points come in an order of their own, pairs of a lane's halves, which a pointwise law does not
+// mind: no shuffle crosses them. `point_of_lane` is that order.
 #if TLSPH_LANES == 8
+constexpr Whole point_of_lane_2d = {0, 4, 1, 5, 2, 6, 3, 7};
 TLSPH_INLINE Real evens(Real a, Real b) {
-  return __builtin_shufflevector(a, b, 0, 2, 4, 6, 8, 10, 12, 14);
+  return __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14);
 }
 TLSPH_INLINE Real odds(Real a, Real b) {
-  return __builtin_shufflevector(a, b, 1, 3, 5, 7, 9, 11, 13, 15);
-}
-TLSPH_INLINE Real low(Real a, Real b) {
-  return __builtin_shufflevector(a, b, 0, 8, 1, 9, 2, 10, 3, 11);
-}
-TLSPH_INLINE Real high(Real a, Real b) {
-  return __builtin_shufflevector(a, b, 4, 12, 5, 13, 6, 14, 7, 15);
+  return __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
 }
 #elif TLSPH_LANES == 4
-// Points come in another order, 0 2 1 3, which a pointwise law does not mind: one shuffle less.
+constexpr Whole point_of_lane_2d = {0, 2, 1, 3};
 TLSPH_INLINE Real evens(Real a, Real b) {
   return __builtin_shufflevector(a, b, 0, 4, 2, 6);
 }
 TLSPH_INLINE Real odds(Real a, Real b) {
-  return __builtin_shufflevector(a, b, 1, 5, 3, 7);
-}
-TLSPH_INLINE Real low(Real a, Real b) {
-  return __builtin_shufflevector(a, b, 0, 4, 2, 6);
-}
-TLSPH_INLINE Real high(Real a, Real b) {
   return __builtin_shufflevector(a, b, 1, 5, 3, 7);
 }
 #else
+constexpr Whole point_of_lane_2d = {0, 1};
 TLSPH_INLINE Real evens(Real a, Real b) {
   return __builtin_shufflevector(a, b, 0, 2);
 }
 TLSPH_INLINE Real odds(Real a, Real b) {
-  return __builtin_shufflevector(a, b, 1, 3);
-}
-TLSPH_INLINE Real low(Real a, Real b) {
-  return __builtin_shufflevector(a, b, 0, 2);
-}
-TLSPH_INLINE Real high(Real a, Real b) {
   return __builtin_shufflevector(a, b, 1, 3);
 }
 #endif
 
-/// A vector of points.
+/// A vector of points in registers: H_a at `field[a]`, its components interleaved, becomes P_a.
+template <int D, class Law>
+TLSPH_INLINE void law_of(const Law& law, Real (&field)[D][D], Whole& good) {
+  if constexpr (D == 1) {
+    law(field[0][0], good);
+  } else {
+    Real h00 = evens(field[0][0], field[0][1]), h10 = odds(field[0][0], field[0][1]);
+    Real h01 = evens(field[1][0], field[1][1]), h11 = odds(field[1][0], field[1][1]);
+    law(h00, h10, h01, h11, good);
+    field[0][0] = evens(h00, h10);
+    field[0][1] = odds(h00, h10);
+    field[1][0] = evens(h01, h11);
+    field[1][1] = odds(h01, h11);
+  }
+}
+
+/// The same in memory.
 template <int D, class Law>
 TLSPH_INLINE void law_at(const Law& law, double* const* field, Whole& good) {
-  if constexpr (D == 1) {
-    Real h = load<Real>(field[0]);
-    law(h, good);
-    store(field[0], h);
-  } else {
-    const Real x0 = load<Real>(field[0]), x1 = load<Real>(field[0] + lanes);
-    const Real y0 = load<Real>(field[1]), y1 = load<Real>(field[1] + lanes);
-    Real h00 = evens(x0, x1), h10 = odds(x0, x1);
-    Real h01 = evens(y0, y1), h11 = odds(y0, y1);
-    law(h00, h10, h01, h11, good);
-    store(field[0], low(h00, h10));
-    store(field[0] + lanes, high(h00, h10));
-    store(field[1], low(h01, h11));
-    store(field[1] + lanes, high(h01, h11));
-  }
+  Real value[D][D];
+  for (int a = 0; a < D; ++a)
+    for (int c = 0; c < D; ++c) value[a][c] = load<Real>(field[a] + c * lanes);
+  law_of<D>(law, value, good);
+  for (int a = 0; a < D; ++a)
+    for (int c = 0; c < D; ++c) store(field[a] + c * lanes, value[a][c]);
 }
 
 template <int D, class Law>
@@ -212,9 +227,7 @@ bool apply_law(const LawConstants& constants, double* const* fields, Index first
     for (int a = 0; a < D; ++a)
       std::memcpy(field[a], rest[a], static_cast<std::size_t>((count - at) * D) * sizeof(double));
   }
-  std::int64_t every = -1;
-  for (Index lane = 0; lane < lanes; ++lane) every &= good[lane];
-  return every != 0;
+  return everywhere(good);
 }
 
 }  // namespace

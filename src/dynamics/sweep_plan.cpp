@@ -252,7 +252,31 @@ class Planner {
     task.load = static_cast<Index>(plan_.loads.size());
     plan_.loads.insert(plan_.loads.end(), begin, end);
     task.loads = static_cast<Index>(plan_.loads.size()) - task.load;
+    divide_nodes(task);
     plan_.after.push_back(task);
+  }
+
+  /// Booked and loaded nodes wait for more than the divergence; the others move at once.
+  void divide_nodes(Task& task) {
+    task.free = static_cast<Index>(plan_.free.size());
+    task.special = static_cast<Index>(plan_.special.size());
+    auto booked = booked_.begin() + task.item;
+    auto load = plan_.loads.begin() + task.load;
+    const auto is_special = [&](Index q) {
+      while (booked != booked_.end() && *booked < q) ++booked;
+      while (load != plan_.loads.end() && load->dof / components_ < q) ++load;
+      return (booked != booked_.end() && *booked == q) ||
+             (load != plan_.loads.end() && load->dof / components_ == q);
+    };
+    for (Index q = task.first; q < task.last;) {
+      const bool special = is_special(q);
+      Index end = q + 1;
+      while (end < task.last && is_special(end) == special) ++end;
+      cut_runs(*op_.divergence, q, end, special ? plan_.special : plan_.free);
+      q = end;
+    }
+    task.frees = static_cast<Index>(plan_.free.size()) - task.free;
+    task.specials = static_cast<Index>(plan_.special.size()) - task.special;
   }
 
   const Dependences& dep_;

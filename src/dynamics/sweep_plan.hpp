@@ -24,7 +24,9 @@ struct Task {
   };
   Kind kind = Kind::nodes;
   Index first = 0, last = 0;
-  Index run = 0, runs = 0;    ///< in the list of runs of the operator the task applies
+  Index run = 0, runs = 0;  ///< in the list of runs of the operator the task applies
+  /// nodes: in the lists of runs of those that nothing but forces of the body moves, and of others
+  Index free = 0, frees = 0, special = 0, specials = 0;
   Index item = 0, items = 0;  ///< points: law segments; nodes: booked nodes
   Index load = 0, loads = 0;  ///< nodes: loaded degrees of freedom
 };
@@ -47,6 +49,7 @@ struct ThreadPlan {
   std::vector<Task> before;  ///< of everything that reads nodes of other threads
   std::vector<Task> after;   ///< when all threads have done theirs
   std::vector<RowRun> gradient, divergence, rows;
+  std::vector<RowRun> free, special;  ///< of the divergence: booked or loaded nodes, and the rest
   std::vector<LawSegment> laws;
   std::vector<NodeLoad> loads;
   Index points_first = 0, points_window = 0, points_kept = 0, points_kept_count = 0;

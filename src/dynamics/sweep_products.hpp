@@ -102,16 +102,20 @@ TLSPH_INLINE void gradient_general(const Table& table, const Weight* weights, co
 }
 
 template <int D, int Directions>
+void gradient_of_run(const Table& table, const RowRun& run, const double* u, Index size,
+                     const Window& window) {
+  if (run.stencil != no_stencil)
+    gradient_stencil<D, Directions>(table, run, u, size, window);
+  else if (table.weight_single != nullptr)
+    gradient_general<D, Directions>(table, table.weight_single, run, u, window);
+  else
+    gradient_general<D, Directions>(table, table.weight, run, u, window);
+}
+
+template <int D, int Directions>
 void gradient(const Table& table, Runs runs, const double* u, Index size, Window window) {
-  for (Index r = 0; r < runs.count; ++r) {
-    const RowRun& run = runs.run[r];
-    if (run.stencil != no_stencil)
-      gradient_stencil<D, Directions>(table, run, u, size, window);
-    else if (table.weight_single != nullptr)
-      gradient_general<D, Directions>(table, table.weight_single, run, u, window);
-    else
-      gradient_general<D, Directions>(table, table.weight, run, u, window);
-  }
+  for (Index r = 0; r < runs.count; ++r)
+    gradient_of_run<D, Directions>(table, runs.run[r], u, size, window);
 }
 
 template <int Directions, int Chunk>
@@ -154,23 +158,28 @@ TLSPH_INLINE void divergence_stencil(const Table& table, const RowRun& run, cons
 }
 
 template <int D, int Directions, class Weight>
+TLSPH_INLINE typename RowValue<D>::Type divergence_of_row(const Table& table, const Weight* weights,
+                                                          Index row, const Window& P) {
+  using Value = typename RowValue<D>::Type;
+  Value sum[Directions] = {};
+  for (Index k = table.row_start[row]; k < table.row_start[row + 1]; ++k) {
+    __builtin_prefetch(weights + (k + ahead) * Directions);
+    const Index from = (static_cast<Index>(table.column[k]) - P.base) * D;
+    for (int a = 0; a < Directions; ++a)
+      sum[a] +=
+          static_cast<double>(weights[k * Directions + a]) * load<Value>(P.direction[a] + from);
+  }
+  Value total = sum[0];
+  for (int a = 1; a < Directions; ++a) total += sum[a];
+  if (table.row_scale != nullptr) total *= table.row_scale[row];
+  return total;
+}
+
+template <int D, int Directions, class Weight>
 TLSPH_INLINE void divergence_general(const Table& table, const Weight* weights, const RowRun& run,
                                      const Window& P, double* out, Index out_base) {
-  using Value = typename RowValue<D>::Type;
-  for (Index row = run.first; row < run.first + run.count; ++row) {
-    Value sum[Directions] = {};
-    for (Index k = table.row_start[row]; k < table.row_start[row + 1]; ++k) {
-      __builtin_prefetch(weights + (k + ahead) * Directions);
-      const Index from = (static_cast<Index>(table.column[k]) - P.base) * D;
-      for (int a = 0; a < Directions; ++a)
-        sum[a] +=
-            static_cast<double>(weights[k * Directions + a]) * load<Value>(P.direction[a] + from);
-    }
-    Value total = sum[0];
-    for (int a = 1; a < Directions; ++a) total += sum[a];
-    if (table.row_scale != nullptr) total *= table.row_scale[row];
-    store(out + (row - out_base) * D, total);
-  }
+  for (Index row = run.first; row < run.first + run.count; ++row)
+    store(out + (row - out_base) * D, divergence_of_row<D, Directions>(table, weights, row, P));
 }
 
 template <int D, int Directions>

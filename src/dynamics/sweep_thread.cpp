@@ -125,7 +125,19 @@ bool Thread<D>::run(const std::vector<Task>& tasks, const StepData<D>& step) {
 }
 
 template <int D>
+const RegionLaw<D>* Thread<D>::only_law(const Task& task) const {
+  if (task.items != 1) return nullptr;
+  const LawSegment& segment = plan_.laws[static_cast<std::size_t>(task.item)];
+  const RegionLaw<D>& law = shared_.laws[segment.region];
+  return law.kernel.points != nullptr ? &law : nullptr;
+}
+
+template <int D>
 bool Thread<D>::points(const Task& task, Store& store, const StepData<D>& step) {
+  if (const RegionLaw<D>* law = only_law(task); law != nullptr && step.observed == nullptr)
+    return (shared_.modes ? law->kernel.points_and_modes : law->kernel.points)(
+        law->constants, shared_.gradient, runs(plan_.gradient, task), step.u, size_,
+        store.window());
   const auto gradient =
       shared_.modes ? shared_.kernels->gradient_and_modes : shared_.kernels->gradient;
   gradient(shared_.gradient, runs(plan_.gradient, task), step.u, size_, store.window());
@@ -135,8 +147,8 @@ bool Thread<D>::points(const Task& task, Store& store, const StepData<D>& step) 
     const LawSegment& segment = plan_.laws[static_cast<std::size_t>(k)];
     const RegionLaw<D>& law = shared_.laws[segment.region];
     const Index first = segment.first - store.base;
-    good = (law.kernel != nullptr
-                ? law.kernel(law.constants, store.direction.data(), first, segment.count)
+    good = (law.kernel.law != nullptr
+                ? law.kernel.law(law.constants, store.direction.data(), first, segment.count)
                 : apply_any<D>(*law.any, store.direction.data(), first, segment.count)) &&
            good;
   }
@@ -165,47 +177,77 @@ void Thread<D>::rows(const Task& task, Store& store, const StepData<D>& step) {
 
 template <int D>
 void Thread<D>::nodes(const Task& task, const StepData<D>& step) {
+  if (step.observed != nullptr) return observe(task, step);
+  const double* row = shared_.has_rows ? rows_.direction[0] : nullptr;
+  Motion motion{step.kick, step.dt, step.v, step.u, row, rows_.base, {}};
+  if (shared_.body_force)
+    for (int i = 0; i < D; ++i) motion.body_force[i] = shared_.disc->body_force[i];
+  if (shared_.viscous) viscous_power += power(task, step);
+  const auto move = shared_.modes ? shared_.kernels->move_with_modes : shared_.kernels->move;
+  const Runs free{plan_.free.data() + task.free, task.frees};
+  largest_speed = std::max(largest_speed, move(shared_.divergence, free, points_.window(), motion));
+  if (task.specials > 0) move_special(task, step);
+  if (shared_.viscous) viscous_power_after += power(task, step);
+  reached_ = task.last;
+}
+
+/// Accelerations of some nodes of a block, from its start.
+template <int D>
+void Thread<D>::accelerate(const Task& task, Runs some, const StepData<D>& step) {
   const Discretisation<D>& disc = *shared_.disc;
   const Kernels<D>& kernels = *shared_.kernels;
   double* a = acceleration_.data();
-  const Index length = (task.last - task.first) * D;
   (shared_.modes ? kernels.divergence_and_modes : kernels.divergence)(
-      shared_.divergence, runs(plan_.divergence, task), points_.window(), a, task.first);
-  const double* row = nullptr;
-  if (shared_.has_rows) {
-    row = rows_.direction[0] + (task.first - rows_.base) * D;
-    kernels.subtract(length, row, a);
+      shared_.divergence, some, points_.window(), a, task.first);
+  for (Index r = 0; r < some.count; ++r) {
+    const RowRun& run = some.run[r];
+    double* own = a + (run.first - task.first) * D;
+    const Index length = static_cast<Index>(run.count) * D;
+    if (shared_.has_rows)
+      kernels.subtract(length, rows_.direction[0] + (run.first - rows_.base) * D, own);
+    if (shared_.body_force)
+      for (Index k = 0; k < length; ++k) own[k] += disc.body_force[k % D];
   }
   for (Index k = task.load; k < task.load + task.loads; ++k) {
     const NodeLoad& load = plan_.loads[static_cast<std::size_t>(k)];
     a[load.dof - task.first * D] += (*step.pressures)[load.load] * load.weight;
   }
-  if (shared_.body_force)
-    for (Index k = 0; k < length; ++k) a[k] += disc.body_force[k % D];
-  if (step.observed == nullptr) return move(task, step);
-  for (Index k = 0; k < length; ++k)
-    step.observed->f.data()[task.first * D + k] = disc.mass[task.first + k / D] * a[k];
-  if (shared_.viscous)
-    for (Index k = 0; k < length; ++k)
-      step.observed->viscous.data()[task.first * D + k] = disc.mass[task.first + k / D] * row[k];
 }
 
-/// From the accelerations of a block to its new velocities and places.
 template <int D>
-void Thread<D>::move(const Task& task, const StepData<D>& step) {
+void Thread<D>::observe(const Task& task, const StepData<D>& step) {
+  const Discretisation<D>& disc = *shared_.disc;
+  accelerate(task, runs(plan_.divergence, task), step);
+  const Index length = (task.last - task.first) * D;
+  for (Index k = 0; k < length; ++k)
+    step.observed->f.data()[task.first * D + k] =
+        disc.mass[task.first + k / D] * acceleration_[static_cast<std::size_t>(k)];
+  if (!shared_.viscous) return;
+  const double* row = rows_.direction[0] + (task.first - rows_.base) * D;
+  for (Index k = 0; k < length; ++k)
+    step.observed->viscous.data()[task.first * D + k] = disc.mass[task.first + k / D] * row[k];
+}
+
+/// Of the viscous forces on a block.
+template <int D>
+double Thread<D>::power(const Task& task, const StepData<D>& step) const {
+  const double* row = rows_.direction[0] + (task.first - rows_.base) * D;
+  const double* v = step.v + task.first * D;
+  double sum = 0.0;
+  for (Index k = 0; k < (task.last - task.first) * D; ++k)
+    sum += shared_.disc->mass[task.first + k / D] * row[k] * v[k];
+  return sum;
+}
+
+/// Loaded nodes, and those whose forces the books want or whose motion is given.
+template <int D>
+void Thread<D>::move_special(const Task& task, const StepData<D>& step) {
   const Discretisation<D>& disc = *shared_.disc;
   double* a = acceleration_.data();
   double* u = step.u + task.first * D;
   double* v = step.v + task.first * D;
-  const Index length = (task.last - task.first) * D;
-  const auto power = [&] {
-    const double* row = rows_.direction[0] + (task.first - rows_.base) * D;
-    double sum = 0.0;
-    for (Index k = 0; k < length; ++k) sum += disc.mass[task.first + k / D] * row[k] * v[k];
-    return sum;
-  };
-  if (shared_.viscous) viscous_power += power();
-
+  const Runs special{plan_.special.data() + task.special, task.specials};
+  accelerate(task, special, step);
   BoundaryForces<D>& forces = *step.forces;
   const auto constrained = [&](Index k, int i) {
     return shared_.constrained[static_cast<std::size_t>(k * D + i)] != 0;
@@ -220,16 +262,19 @@ void Thread<D>::move(const Task& task, const StepData<D>& step) {
       if (constrained(k, i)) a[local] = 0.0;
     }
   }
-  largest_speed =
-      std::max(largest_speed, shared_.kernels->update(length, step.kick, step.dt, a, v, u));
+  for (Index r = 0; r < special.count; ++r) {
+    const RowRun& run = special.run[r];
+    const Index at = (run.first - task.first) * D;
+    largest_speed = std::max(largest_speed,
+                             shared_.kernels->update(static_cast<Index>(run.count) * D, step.kick,
+                                                     step.dt, a + at, v + at, u + at));
+  }
   // A degree of freedom that is moved waits for its curve.
   for (Index k = task.item; k < task.item + task.items; ++k) {
     const Index node = forces.nodes[static_cast<std::size_t>(k)];
     for (int i = 0; i < D; ++i)
       if (constrained(k, i)) u[(node - task.first) * D + i] = forces.u(k, i);
   }
-  if (shared_.viscous) viscous_power_after += power();
-  reached_ = task.last;
 }
 
 template class Thread<1>;

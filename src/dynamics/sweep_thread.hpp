@@ -16,7 +16,7 @@ namespace tlsph::sweep {
 /// The law of a region as a sweep applies it: a vectorised kernel, or point by point.
 template <int D>
 struct RegionLaw {
-  LawKernel kernel = nullptr;
+  LawKernels kernel;
   LawConstants constants;
   const AnyLaw<D>* any = nullptr;  ///< where there is no kernel
 };
@@ -85,7 +85,12 @@ class Thread {
   [[nodiscard]] bool points(const Task& task, Store& store, const StepData<D>& step);
   void rows(const Task& task, Store& store, const StepData<D>& step);
   void nodes(const Task& task, const StepData<D>& step);
-  void move(const Task& task, const StepData<D>& step);
+  void observe(const Task& task, const StepData<D>& step);
+  void accelerate(const Task& task, Runs some, const StepData<D>& step);
+  void move_special(const Task& task, const StepData<D>& step);
+  [[nodiscard]] double power(const Task& task, const StepData<D>& step) const;
+  /// The law of all points of a task, if it has kernels.
+  [[nodiscard]] const RegionLaw<D>* only_law(const Task& task) const;
   void write_points(const Task& task, const Store& store, TensorField<D>& field) const;
   [[nodiscard]] Runs runs(const std::vector<RowRun>& list, const Task& task) const {
     return {list.data() + task.run, task.runs};

@@ -127,7 +127,7 @@ void law(benchmark::State& run, LawName name, Assumption assumption) {
 
 void register_all() {
   const auto add = [](const std::string& name, auto function) {
-    benchmark::RegisterBenchmark(name.c_str(), function)->Arg(30)->Arg(300);
+    benchmark::RegisterBenchmark(name.c_str(), function)->Arg(30)->Arg(300)->Arg(706);
   };
   for (const Body& body : bodies) {
     const std::string name = body.name;
