@@ -217,15 +217,16 @@ bool apply_law(const LawConstants& constants, double* const* fields, Index first
     for (int a = 0; a < D; ++a) field[a] += lanes * D;
   }
   if (at < count) {
-    double rest[D][lanes * D] = {};
-    double* padded[D];
-    for (int a = 0; a < D; ++a) {
-      padded[a] = rest[a];
-      std::memcpy(rest[a], field[a], static_cast<std::size_t>((count - at) * D) * sizeof(double));
-    }
-    law_at<D>(law, padded, good);
+    const auto part = [&](int c) {
+      const Index doubles = (count - at) * D - c * lanes;
+      return doubles < 0 ? 0 : doubles < lanes ? doubles : lanes;
+    };
+    Real value[D][D];
     for (int a = 0; a < D; ++a)
-      std::memcpy(field[a], rest[a], static_cast<std::size_t>((count - at) * D) * sizeof(double));
+      for (int c = 0; c < D; ++c) value[a][c] = load_part(field[a] + c * lanes, part(c));
+    law_of<D>(law, value, good);
+    for (int a = 0; a < D; ++a)
+      for (int c = 0; c < D; ++c) store_part(field[a] + c * lanes, part(c), value[a][c]);
   }
   return everywhere(good);
 }

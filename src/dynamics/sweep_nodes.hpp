@@ -29,34 +29,10 @@ TLSPH_INLINE void move_vector(Real a, const Motion& motion, Index at, Real& most
   most = speed > most ? speed : most;
 }
 
-/// Σ_a Σ_k w^a_k P_a of `Chunk` vectors of rows, on top of what is in `sum`.
-template <int Directions, int Entries, int Chunk, class Weights>
-TLSPH_INLINE void add_divergence(const int* offset, const Weights& weight, int entries, int D,
-                                 const double* const* P, Index at, Real (&sum)[Chunk]) {
-  // As many sums as directions where vectors are few: they do not wait for each other.
-  constexpr int parts = Chunk >= 4 ? 1 : Directions;
-  Real part[parts][Chunk] = {};
-  for (int c = 0; c < Chunk; ++c) part[0][c] = sum[c];
-  const int count = Entries > 0 ? Entries : entries;
-  for (int k = 0; k < count; ++k) {
-    const Index from = static_cast<Index>(offset[k]) * D + at;
-    for (int a = 0; a < Directions; ++a)
-      for (int c = 0; c < Chunk; ++c)
-        part[a % parts][c] += weight[k * Directions + a] * load<Real>(P[a] + from + c * lanes);
-  }
-  for (int c = 0; c < Chunk; ++c) {
-    sum[c] = part[0][c];
-    for (int p = 1; p < parts; ++p) sum[c] += part[p][c];
-  }
-}
-
 template <int D, int Directions, int Entries, bool with_rows>
 TLSPH_INLINE void move_stencil(const Table& table, const RowRun& run, const Window& window,
                                const Motion& motion, Real body_force, Real& most) {
-  const int begin = table.stencil_start[run.stencil];
-  const int entries = table.stencil_start[run.stencil + 1] - begin;
-  const int* offset = table.offset + begin;
-  const double* stored = table.stencil_weight + static_cast<Index>(begin) * Directions;
+  const Stencil<Directions> stencil(table, run);
   const double* P[Directions];
   for (int a = 0; a < Directions; ++a) P[a] = window.direction[a] + (run.column - window.base) * D;
   const double* rows = with_rows ? motion.rows + (run.first - motion.rows_base) * D : nullptr;
@@ -69,7 +45,7 @@ TLSPH_INLINE void move_stencil(const Table& table, const RowRun& run, const Wind
       a[c] = body_force;
       if constexpr (with_rows) a[c] -= load<Real>(rows + at + c * lanes);
     }
-    add_divergence<Directions, Entries>(offset, weight, entries, D, P, at, a);
+    add_divergence<Directions, Entries>(stencil.offset, weight, stencil.entries, D, P, at, a);
   };
   const auto pass = [&](const auto& weight) __attribute__((always_inline)) {
     Index at = 0;
@@ -92,32 +68,30 @@ TLSPH_INLINE void move_stencil(const Table& table, const RowRun& run, const Wind
   };
   if constexpr (Entries > 0) {
     Real weight[Entries * Directions];
-    for (int k = 0; k < Entries * Directions; ++k) weight[k] = all(stored[k]);
+    for (int k = 0; k < Entries * Directions; ++k) weight[k] = all(stencil.weight[k]);
     pass(weight);
   } else {
-    pass(stored);
+    pass(stencil.weight);
   }
 }
 
+/// One row of whatever storage.
 template <int D, int Directions, bool with_rows, class Weight>
-TLSPH_INLINE void move_general(const Table& table, const Weight* weights, const RowRun& run,
-                               const Window& P, const Motion& motion, Real body_force,
-                               double& most) {
+TLSPH_INLINE void move_row(const Row<Weight>& entries, Index row, const Window& P,
+                           const Motion& motion, Real body_force, double& most) {
   using Value = typename RowValue<D>::Type;
-  Value force;
-  std::memcpy(&force, &body_force, sizeof force);
-  for (Index row = run.first; row < run.first + run.count; ++row) {
-    Value a = divergence_of_row<D, Directions>(table, weights, row, P) + force;
-    if constexpr (with_rows) a -= load<Value>(motion.rows + (row - motion.rows_base) * D);
-    const Value velocity = load<Value>(motion.v + row * D) + motion.kick * a;
-    store(motion.v + row * D, velocity);
-    store(motion.u + row * D, load<Value>(motion.u + row * D) + motion.dt * velocity);
-    double component[D];
-    std::memcpy(component, &velocity, sizeof component);
-    for (const double c : component) {
-      const double speed = c < 0.0 ? -c : c;
-      most = speed > most ? speed : most;
-    }
+  Value a;
+  std::memcpy(&a, &body_force, sizeof a);
+  a += divergence_of_row<D, Directions>(entries, P);
+  if constexpr (with_rows) a -= load<Value>(motion.rows + (row - motion.rows_base) * D);
+  const Value velocity = load<Value>(motion.v + row * D) + motion.kick * a;
+  store(motion.v + row * D, velocity);
+  store(motion.u + row * D, load<Value>(motion.u + row * D) + motion.dt * velocity);
+  double component[D];
+  std::memcpy(component, &velocity, sizeof component);
+  for (const double c : component) {
+    const double speed = c < 0.0 ? -c : c;
+    most = speed > most ? speed : most;
   }
 }
 
@@ -130,17 +104,14 @@ double move_rows(const Table& table, Runs runs, Window P, const Motion& motion) 
   double largest = 0.0;
   for (Index r = 0; r < runs.count; ++r) {
     const RowRun& run = runs.run[r];
-    if (run.stencil == no_stencil) {
-      if (table.weight_single != nullptr)
-        move_general<D, Directions, with_rows>(table, table.weight_single, run, P, motion,
-                                               body_force, largest);
-      else
-        move_general<D, Directions, with_rows>(table, table.weight, run, P, motion, body_force,
-                                               largest);
+    if (row_by_row<D>(run)) {
+      for_each_row<Directions>(
+          table, run, [&](Index row, const auto& entries) __attribute__((always_inline)) {
+            move_row<D, Directions, with_rows>(entries, row, P, motion, body_force, largest);
+          });
       continue;
     }
-    const int entries = table.stencil_start[run.stencil + 1] - table.stencil_start[run.stencil];
-    if (entries == corners)
+    if (Stencil<Directions>(table, run).entries == corners)
       move_stencil<D, Directions, corners, with_rows>(table, run, P, motion, body_force, most);
     else
       move_stencil<D, Directions, 0, with_rows>(table, run, P, motion, body_force, most);

@@ -30,13 +30,7 @@ TLSPH_INLINE void points_chunk(const Law& law, const int* offset, const Weights&
   const double* furthest = x + static_cast<Index>(offset[count - 1]) * D + at;
   for (int c = 0; c < Vectors * D; ++c) fetch_to_write(furthest + c * lanes);
   Real sum[Directions][Vectors * D] = {};
-  for (int k = 0; k < count; ++k) {
-    const double* from = x + static_cast<Index>(offset[k]) * D + at;
-    for (int c = 0; c < Vectors * D; ++c) {
-      const Real value = load<Real>(from + c * lanes);
-      for (int a = 0; a < Directions; ++a) sum[a][c] += weight[k * Directions + a] * value;
-    }
-  }
+  add_gradient<Directions, Entries>(offset, weight, entries, D, x + at, sum);
   for (int p = 0; p < Vectors; ++p) {
     Real H[D][D];
     for (int a = 0; a < D; ++a)
@@ -60,10 +54,7 @@ TLSPH_INLINE void points_chunk(const Law& law, const int* offset, const Weights&
 template <int D, int Directions, int Entries, class Law>
 TLSPH_INLINE Index points_stencil(const Law& law, const Table& table, const RowRun& run,
                                   const double* u, Index size, const Window& window, Whole& good) {
-  const int begin = table.stencil_start[run.stencil];
-  const int entries = table.stencil_start[run.stencil + 1] - begin;
-  const int* offset = table.offset + begin;
-  const double* stored = table.stencil_weight + static_cast<Index>(begin) * Directions;
+  const Stencil<Directions> stencil(table, run);
   const double* x = u + static_cast<Index>(run.column) * D;
   double* out[Directions];
   for (int a = 0; a < Directions; ++a) out[a] = window.direction[a] + (run.first - window.base) * D;
@@ -75,24 +66,24 @@ TLSPH_INLINE Index points_stencil(const Law& law, const Table& table, const RowR
   const auto pass = [&](const auto& weight, auto several) __attribute__((always_inline)) {
     constexpr int vectors = decltype(several)::value;
     for (; at + vectors * step <= length; at += vectors * step)
-      points_chunk<D, Directions, Entries, vectors, true>(law, offset, weight, entries, x, out, at,
-                                                          0, good);
+      points_chunk<D, Directions, Entries, vectors, true>(law, stencil.offset, weight,
+                                                          stencil.entries, x, out, at, 0, good);
     if constexpr (vectors > 1)
       for (; at + step <= length; at += step)
-        points_chunk<D, Directions, Entries, 1, true>(law, offset, weight, entries, x, out, at, 0,
-                                                      good);
+        points_chunk<D, Directions, Entries, 1, true>(law, stencil.offset, weight, stencil.entries,
+                                                      x, out, at, 0, good);
     if (at < length && at + step <= readable) {
-      points_chunk<D, Directions, Entries, 1, false>(law, offset, weight, entries, x, out, at,
-                                                     (length - at) / D, good);
+      points_chunk<D, Directions, Entries, 1, false>(law, stencil.offset, weight, stencil.entries,
+                                                     x, out, at, (length - at) / D, good);
       at = length;
     }
   };
   if constexpr (Entries > 0) {
     Real weight[Entries * Directions];
-    for (int k = 0; k < Entries * Directions; ++k) weight[k] = all(stored[k]);
+    for (int k = 0; k < Entries * Directions; ++k) weight[k] = all(stencil.weight[k]);
     pass(weight, Constant<3 - D>{});
   } else {
-    pass(stored, Constant<4 / D>{});
+    pass(stencil.weight, Constant<4 / D>{});
   }
   return at / D;
 }
@@ -113,24 +104,19 @@ bool points(const LawConstants& constants, const Table& table, Runs runs, const 
                   rest_good;
   };
   for (Index r = 0; r < runs.count; ++r) {
-    RowRun run = runs.run[r];
-    const Index end = run.first + run.count;
-    if (run.stencil == no_stencil) {
-      gradient_of_run<D, Directions>(table, run, u, size, out);
-      continue;
+    const RowRun& run = runs.run[r];
+    Index done = 0;
+    if (!row_by_row<D>(run)) {
+      catch_up(run.first);
+      done = Stencil<Directions>(table, run).entries == corners
+                 ? points_stencil<D, Directions, corners>(law, table, run, u, size, out, good)
+                 : points_stencil<D, Directions, 0>(law, table, run, u, size, out, good);
+      waiting = run.first + done;
     }
-    catch_up(run.first);
-    const int entries = table.stencil_start[run.stencil + 1] - table.stencil_start[run.stencil];
-    const Index done =
-        entries == corners
-            ? points_stencil<D, Directions, corners>(law, table, run, u, size, out, good)
-            : points_stencil<D, Directions, 0>(law, table, run, u, size, out, good);
-    waiting = run.first + done;
-    if (waiting == end) continue;
-    run.column += static_cast<int>(done);
-    run.first += static_cast<int>(done);
-    run.count -= static_cast<int>(done);
-    gradient_of_run<D, Directions>(table, run, u, size, out);
+    if (done < run.count) {
+      const RowRun rest = rest_of(run, done);
+      gradient<D, Directions>(table, {&rest, 1}, u, size, out);
+    }
   }
   if (runs.count > 0) catch_up(runs.run[runs.count - 1].first + runs.run[runs.count - 1].count);
   return everywhere(good) && rest_good;

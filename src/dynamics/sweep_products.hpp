@@ -1,260 +1,169 @@
 #pragma once
 /// \file
-/// Products of stored rows with fields, vectorised across rows.
+/// Products of stored rows with fields, vectorised across the rows of a stencil.
 /// Local to each source that includes it, as everything here is (sweep_kernels_body.hpp).
 
-#include "sweep_vectors.hpp"
+#include "sweep_rows.hpp"
 
 namespace tlsph::sweep {
 namespace {
 
-/// `Chunk` vectors of rows at once; sums stay in registers. Two sums a direction where there is but
-/// one vector, or every addition would wait for the last.
-template <int Directions, int Chunk>
-TLSPH_INLINE void gradient_chunk(const int* offset, const double* weight, int entries, int D,
-                                 const double* x, double* const* out, Index at) {
-  constexpr int parts = Chunk == 1 ? 2 : 1;
-  Real sum[parts][Directions][Chunk] = {};
-  const auto add = [&](int k, int part) __attribute__((always_inline)) {
+/// The stencil of a run.
+template <int Directions>
+struct Stencil {
+  const int* offset;
+  const double* weight;
+  int entries;
+
+  Stencil(const Table& table, const RowRun& run)
+      : offset(table.offset + table.stencil_start[run.stencil]),
+        weight(table.stencil_weight +
+               static_cast<Index>(table.stencil_start[run.stencil]) * Directions),
+        entries(table.stencil_start[run.stencil + 1] - table.stencil_start[run.stencil]) {}
+};
+
+/// A run from its row `done` on.
+TLSPH_INLINE RowRun rest_of(RowRun run, Index done) {
+  run.first += static_cast<int>(done);
+  run.column += static_cast<int>(done);
+  run.count -= static_cast<int>(done);
+  return run;
+}
+
+/// w^a_k u[column_k] added to `sum[a]`, `Chunk` vectors of rows from `x` on. `Entries` of a
+/// stencil, or as many as it has for 0.
+template <int Directions, int Entries, int Chunk, class Weights>
+TLSPH_INLINE void add_gradient(const int* offset, const Weights& weight, int entries, int D,
+                               const double* x, Real (&sum)[Directions][Chunk]) {
+  const int count = Entries > 0 ? Entries : entries;
+  for (int k = 0; k < count; ++k) {
     const double* from = x + static_cast<Index>(offset[k]) * D;
     for (int c = 0; c < Chunk; ++c) {
       const Real value = load<Real>(from + c * lanes);
-      for (int a = 0; a < Directions; ++a) sum[part][a][c] += weight[k * Directions + a] * value;
+      for (int a = 0; a < Directions; ++a) sum[a][c] += weight[k * Directions + a] * value;
     }
-  };
-  int k = 0;
-  for (; k + parts <= entries; k += parts)
-    for (int part = 0; part < parts; ++part) add(k + part, part);
-  if (k < entries) add(k, 0);
-  for (int a = 0; a < Directions; ++a)
-    for (int c = 0; c < Chunk; ++c) {
-      Real total = sum[0][a][c];
-      if constexpr (parts == 2) total += sum[1][a][c];
-      store(out[a] + at + c * lanes, total);
-    }
-}
-
-template <int D, int Directions>
-TLSPH_INLINE void gradient_stencil(const Table& table, const RowRun& run, const double* u,
-                                   Index size, const Window& window) {
-  const int begin = table.stencil_start[run.stencil];
-  const int entries = table.stencil_start[run.stencil + 1] - begin;
-  const int* offset = table.offset + begin;
-  const double* weight = table.stencil_weight + static_cast<Index>(begin) * Directions;
-  const double* x = u + static_cast<Index>(run.column) * D;
-  double* out[Directions];
-  for (int a = 0; a < Directions; ++a) out[a] = window.direction[a] + (run.first - window.base) * D;
-  const Index length = static_cast<Index>(run.count) * D;
-  Index at = 0;
-  const auto chunk = [&](double* const* to, Index position) __attribute__((always_inline)) {
-    gradient_chunk<Directions, 1>(offset, weight, entries, D, x + position, to, position);
-  };
-  for (; at + 4 * lanes <= length; at += 4 * lanes)
-    gradient_chunk<Directions, 4>(offset, weight, entries, D, x + at, out, at);
-  for (; at + 2 * lanes <= length; at += 2 * lanes)
-    gradient_chunk<Directions, 2>(offset, weight, entries, D, x + at, out, at);
-  for (; at + lanes <= length; at += lanes) chunk(out, at);
-  if (at == length) return;
-  // The last vector may read beyond the run, not beyond the field.
-  const Index furthest = static_cast<Index>(run.column + table.reach[run.stencil]) * D + at + lanes;
-  if (furthest <= size) return chunk(out, at);
-  for (; at < length; ++at)
-    for (int a = 0; a < Directions; ++a) {
-      double sum = 0.0;
-      for (int k = 0; k < entries; ++k)
-        sum += weight[k * Directions + a] * x[static_cast<Index>(offset[k]) * D + at];
-      out[a][at] = sum;
-    }
-}
-
-/// Entries of general rows that are fetched before they are wanted: rows are short, and the
-/// processor's own prefetching falls behind their sums.
-constexpr Index ahead = 128;
-
-template <int D, int Directions, class Weight>
-TLSPH_INLINE void gradient_general(const Table& table, const Weight* weights, const RowRun& run,
-                                   const double* u, const Window& window) {
-  using Value = typename RowValue<D>::Type;
-  // Single weights do not sum to zero; differences keep what a rigid motion must not make.
-  constexpr bool differences_only = sizeof(Weight) < sizeof(double);
-  for (Index row = run.first; row < run.first + run.count; ++row) {
-    Value sum[2][Directions] = {};
-    const Index end = table.row_start[row + 1];
-    Index k = table.row_start[row];
-    Value reference{};
-    if (differences_only && k < end)
-      reference = load<Value>(u + static_cast<Index>(table.column[k]) * D);
-    const auto add = [&](Index entry, int part) __attribute__((always_inline)) {
-      Value value = load<Value>(u + static_cast<Index>(table.column[entry]) * D);
-      if constexpr (differences_only) value -= reference;
-      for (int a = 0; a < Directions; ++a)
-        sum[part][a] += static_cast<double>(weights[entry * Directions + a]) * value;
-    };
-    for (; k + 2 <= end; k += 2) {
-      __builtin_prefetch(weights + (k + ahead) * Directions);
-      add(k, 0);
-      add(k + 1, 1);
-    }
-    if (k < end) add(k, 0);
-    for (int a = 0; a < Directions; ++a)
-      store(window.direction[a] + (row - window.base) * D, sum[0][a] + sum[1][a]);
   }
-}
-
-template <int D, int Directions>
-void gradient_of_run(const Table& table, const RowRun& run, const double* u, Index size,
-                     const Window& window) {
-  if (run.stencil != no_stencil)
-    gradient_stencil<D, Directions>(table, run, u, size, window);
-  else if (table.weight_single != nullptr)
-    gradient_general<D, Directions>(table, table.weight_single, run, u, window);
-  else
-    gradient_general<D, Directions>(table, table.weight, run, u, window);
 }
 
 template <int D, int Directions>
 void gradient(const Table& table, Runs runs, const double* u, Index size, Window window) {
-  for (Index r = 0; r < runs.count; ++r)
-    gradient_of_run<D, Directions>(table, runs.run[r], u, size, window);
+  for (Index r = 0; r < runs.count; ++r) {
+    const RowRun& run = runs.run[r];
+    double* out[Directions];
+    for (int a = 0; a < Directions; ++a)
+      out[a] = window.direction[a] + (run.first - window.base) * D;
+    Index done = 0;
+    if (!row_by_row<D>(run)) {
+      const Stencil<Directions> stencil(table, run);
+      const double* x = u + static_cast<Index>(run.column) * D;
+      const Index length = static_cast<Index>(run.count) * D;
+      // The last vector may read beyond the run, not beyond the field.
+      const Index readable = size - static_cast<Index>(run.column + table.reach[run.stencil]) * D;
+      Index at = 0;
+      for (; at < length && at + lanes <= readable; at += lanes) {
+        Real sum[Directions][1] = {};
+        add_gradient<Directions, 0>(stencil.offset, stencil.weight, stencil.entries, D, x + at,
+                                    sum);
+        for (int a = 0; a < Directions; ++a) store(out[a] + at, sum[a][0]);
+      }
+      done = at < length ? at / D : run.count;
+    }
+    const RowRun rest = rest_of(run, done);
+    for_each_row<Directions>(
+        table, rest, [&](Index row, const auto& entries) __attribute__((always_inline)) {
+          double* to[Directions];
+          for (int a = 0; a < Directions; ++a)
+            to[a] = window.direction[a] + (row - window.base) * D;
+          gradient_of_row<D, Directions>(entries, u, to);
+        });
+  }
 }
 
-template <int Directions, int Chunk>
-TLSPH_INLINE void divergence_chunk(const int* offset, const double* weight, int entries, int D,
-                                   const double* const* P, double* out, Index at) {
-  // As many sums as directions: they do not wait for each other.
+/// Σ_a Σ_k w^a_k P_a of `Chunk` vectors of rows, on top of what is in `sum`.
+template <int Directions, int Entries, int Chunk, class Weights>
+TLSPH_INLINE void add_divergence(const int* offset, const Weights& weight, int entries, int D,
+                                 const double* const* P, Index at, Real (&sum)[Chunk]) {
+  // As many sums as directions where vectors are few: they do not wait for each other.
   constexpr int parts = Chunk >= 4 ? 1 : Directions;
-  Real sum[parts][Chunk] = {};
-  for (int k = 0; k < entries; ++k) {
+  Real part[parts][Chunk] = {};
+  for (int c = 0; c < Chunk; ++c) part[0][c] = sum[c];
+  const int count = Entries > 0 ? Entries : entries;
+  for (int k = 0; k < count; ++k) {
     const Index from = static_cast<Index>(offset[k]) * D + at;
     for (int a = 0; a < Directions; ++a)
       for (int c = 0; c < Chunk; ++c)
-        sum[a % parts][c] += weight[k * Directions + a] * load<Real>(P[a] + from + c * lanes);
+        part[a % parts][c] += weight[k * Directions + a] * load<Real>(P[a] + from + c * lanes);
   }
   for (int c = 0; c < Chunk; ++c) {
-    Real total = sum[0][c];
-    for (int part = 1; part < parts; ++part) total += sum[part][c];
-    store(out + at + c * lanes, total);
+    sum[c] = part[0][c];
+    for (int p = 1; p < parts; ++p) sum[c] += part[p][c];
   }
-}
-
-template <int D, int Directions>
-TLSPH_INLINE void divergence_stencil(const Table& table, const RowRun& run, const Window& window,
-                                     double* to, Index out_base) {
-  const int begin = table.stencil_start[run.stencil];
-  const int entries = table.stencil_start[run.stencil + 1] - begin;
-  const int* offset = table.offset + begin;
-  const double* weight = table.stencil_weight + static_cast<Index>(begin) * Directions;
-  const double* P[Directions];
-  for (int a = 0; a < Directions; ++a) P[a] = window.direction[a] + (run.column - window.base) * D;
-  double* out = to + (run.first - out_base) * D;
-  const Index length = static_cast<Index>(run.count) * D;
-  Index at = 0;
-  for (; at + 4 * lanes <= length; at += 4 * lanes)
-    divergence_chunk<Directions, 4>(offset, weight, entries, D, P, out, at);
-  for (; at + 2 * lanes <= length; at += 2 * lanes)
-    divergence_chunk<Directions, 2>(offset, weight, entries, D, P, out, at);
-  for (; at < length; at += lanes)
-    divergence_chunk<Directions, 1>(offset, weight, entries, D, P, out, at);
-}
-
-template <int D, int Directions, class Weight>
-TLSPH_INLINE typename RowValue<D>::Type divergence_of_row(const Table& table, const Weight* weights,
-                                                          Index row, const Window& P) {
-  using Value = typename RowValue<D>::Type;
-  Value sum[Directions] = {};
-  for (Index k = table.row_start[row]; k < table.row_start[row + 1]; ++k) {
-    __builtin_prefetch(weights + (k + ahead) * Directions);
-    const Index from = (static_cast<Index>(table.column[k]) - P.base) * D;
-    for (int a = 0; a < Directions; ++a)
-      sum[a] +=
-          static_cast<double>(weights[k * Directions + a]) * load<Value>(P.direction[a] + from);
-  }
-  Value total = sum[0];
-  for (int a = 1; a < Directions; ++a) total += sum[a];
-  if (table.row_scale != nullptr) total *= table.row_scale[row];
-  return total;
-}
-
-template <int D, int Directions, class Weight>
-TLSPH_INLINE void divergence_general(const Table& table, const Weight* weights, const RowRun& run,
-                                     const Window& P, double* out, Index out_base) {
-  for (Index row = run.first; row < run.first + run.count; ++row)
-    store(out + (row - out_base) * D, divergence_of_row<D, Directions>(table, weights, row, P));
 }
 
 template <int D, int Directions>
 void divergence(const Table& table, Runs runs, Window P, double* out, Index out_base) {
   for (Index r = 0; r < runs.count; ++r) {
     const RowRun& run = runs.run[r];
-    if (run.stencil != no_stencil)
-      divergence_stencil<D, Directions>(table, run, P, out, out_base);
-    else if (table.weight_single != nullptr)
-      divergence_general<D, Directions>(table, table.weight_single, run, P, out, out_base);
-    else
-      divergence_general<D, Directions>(table, table.weight, run, P, out, out_base);
+    if (row_by_row<D>(run)) {
+      for_each_row<Directions>(
+          table, run, [&](Index row, const auto& entries) __attribute__((always_inline)) {
+            store(out + (row - out_base) * D, divergence_of_row<D, Directions>(entries, P));
+          });
+      continue;
+    }
+    const Stencil<Directions> stencil(table, run);
+    const double* from[Directions];
+    for (int a = 0; a < Directions; ++a) from[a] = P.direction[a] + (run.column - P.base) * D;
+    for (Index at = 0; at < static_cast<Index>(run.count) * D; at += lanes) {
+      Real sum[1] = {};
+      add_divergence<Directions, 0>(stencil.offset, stencil.weight, stencil.entries, D, from, at,
+                                    sum);
+      store(out + (run.first - out_base) * D + at, sum[0]);
+    }
   }
 }
 
 template <int Chunk>
-TLSPH_INLINE void differences_chunk(const int* offset, const double* weight, int entries, int D,
-                                    const double* x, const double* self, double* out) {
+TLSPH_INLINE void differences_chunk(const Stencil<1>& stencil, int D, const double* x,
+                                    const double* self, double* out) {
   Real centre[Chunk];
   Real sum[Chunk] = {};
   for (int c = 0; c < Chunk; ++c) centre[c] = load<Real>(self + c * lanes);
-  for (int k = 0; k < entries; ++k)
+  for (int k = 0; k < stencil.entries; ++k)
     for (int c = 0; c < Chunk; ++c)
-      sum[c] +=
-          weight[k] * (load<Real>(x + static_cast<Index>(offset[k]) * D + c * lanes) - centre[c]);
+      sum[c] += stencil.weight[k] *
+                (load<Real>(x + static_cast<Index>(stencil.offset[k]) * D + c * lanes) - centre[c]);
   for (int c = 0; c < Chunk; ++c) store(out + c * lanes, sum[c]);
-}
-
-template <int D>
-TLSPH_INLINE void differences_row(const int* column, const double* weight, Index entries,
-                                  const double* x, Index row, double scale, double* out) {
-  using Value = typename RowValue<D>::Type;
-  const Value self = load<Value>(x + row * D);
-  Value sum[2] = {};
-  for (Index k = 0; k < entries; ++k)
-    sum[k & 1] += weight[k] * (load<Value>(x + static_cast<Index>(column[k]) * D) - self);
-  store(out, (sum[0] + sum[1]) * scale);
 }
 
 template <int D>
 void differences(const Table& table, Runs runs, const double* x, Index size, double* to,
                  Index out_base) {
+  using Value = typename RowValue<D>::Type;
   for (Index r = 0; r < runs.count; ++r) {
     const RowRun& run = runs.run[r];
-    double* out = to + (run.first - out_base) * D;
-    if (run.stencil == no_stencil) {
-      for (Index row = run.first; row < run.first + run.count; ++row, out += D) {
-        const Index start = table.row_start[row];
-        differences_row<D>(table.column + start, table.weight + start,
-                           table.row_start[row + 1] - start, x, row,
-                           table.row_scale != nullptr ? table.row_scale[row] : 1.0, out);
-      }
-      continue;
+    Index done = 0;
+    if (!row_by_row<D>(run)) {
+      const Stencil<1> stencil(table, run);
+      double* out = to + (run.first - out_base) * D;
+      const double* from = x + static_cast<Index>(run.column) * D;
+      const double* self = x + static_cast<Index>(run.first) * D;
+      const Index length = static_cast<Index>(run.count) * D;
+      const Index last_read = run.column + table.reach[run.stencil];
+      const Index readable = size - (last_read > run.first ? last_read : run.first) * D;
+      Index at = 0;
+      for (; at + 4 * lanes <= length; at += 4 * lanes)
+        differences_chunk<4>(stencil, D, from + at, self + at, out + at);
+      for (; at < length && at + lanes <= readable; at += lanes)
+        differences_chunk<1>(stencil, D, from + at, self + at, out + at);
+      done = at < length ? at / D : run.count;
     }
-    const int begin = table.stencil_start[run.stencil];
-    const int entries = table.stencil_start[run.stencil + 1] - begin;
-    const int* offset = table.offset + begin;
-    const double* weight = table.stencil_weight + begin;
-    const double* from = x + static_cast<Index>(run.column) * D;
-    const double* self = x + static_cast<Index>(run.first) * D;
-    const Index length = static_cast<Index>(run.count) * D;
-    Index at = 0;
-    for (; at + 4 * lanes <= length; at += 4 * lanes)
-      differences_chunk<4>(offset, weight, entries, D, from + at, self + at, out + at);
-    const Index furthest = static_cast<Index>(run.column + table.reach[run.stencil]) * D;
-    for (; at < length && furthest + at + lanes <= size &&
-           static_cast<Index>(run.first) * D + at + lanes <= size;
-         at += lanes)
-      differences_chunk<1>(offset, weight, entries, D, from + at, self + at, out + at);
-    for (; at < length; ++at) {
-      double sum = 0.0;
-      for (int k = 0; k < entries; ++k)
-        sum += weight[k] * (from[static_cast<Index>(offset[k]) * D + at] - self[at]);
-      out[at] = sum;
-    }
+    const RowRun rest = rest_of(run, done);
+    for_each_row<1>(
+        table, rest, [&](Index row, const auto& entries) __attribute__((always_inline)) {
+          store(to + (row - out_base) * D,
+                differences_of_row<D>(entries, x, load<Value>(x + row * D)));
+        });
   }
 }
 

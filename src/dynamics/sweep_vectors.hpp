@@ -35,7 +35,7 @@ TLSPH_INLINE Real all(double value) {
   return Real{} + value;
 }
 
-/// The first `count` doubles, others zero; count < lanes.
+/// The first `count` ≤ lanes doubles, others zero.
 TLSPH_INLINE Real load_part(const double* from, Index count) {
 #if TLSPH_LANES == 8
   return (Real)_mm512_maskz_loadu_pd(static_cast<__mmask8>((1U << count) - 1U), from);

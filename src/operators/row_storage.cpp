@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <unordered_map>
 
 namespace tlsph {
@@ -155,6 +156,11 @@ StorageReport report(const RowStorage& storage, const Neighbours& pattern) {
                   static_cast<double>(storage.offset.size() * sizeof(int)) +
                   static_cast<double>(storage.weight.size() * sizeof(double));
   return result;
+}
+
+double shared_row_tolerance(double reach, double spacing) {
+  constexpr double rounding = std::numeric_limits<double>::epsilon();
+  return std::max(1e-11, 4.0 * rounding * reach / spacing);
 }
 
 ScalarField with_shared_values(ScalarField values, double tolerance) {

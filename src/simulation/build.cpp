@@ -61,6 +61,11 @@ AnyKernel kernel_of(const Scene& scene) {
   return *kernel;
 }
 
+template <int D>
+double tolerance_of(const Particles<D>& particles) {
+  return shared_row_tolerance(particles.X.cwiseAbs().maxCoeff(), particles.spacing);
+}
+
 /// Natural boundaries: D = −GᵀV.
 template <int D>
 void add_adjoint_operators(const Scene& scene, Gradients gradients, Discretisation<D>& disc) {
@@ -82,7 +87,7 @@ void add_adjoint_operators(const Scene& scene, Gradients gradients, Discretisati
     disc.gradient = std::move(corrected.gradient);
     disc.consistency = corrected.residuals;
   }
-  disc.gradient = disc.gradient.with_shared_rows(shared_row_tolerance);
+  disc.gradient = disc.gradient.with_shared_rows(tolerance_of(disc.particles));
   disc.divergence = disc.gradient.negative_adjoint(disc.points.V);
 }
 
@@ -128,10 +133,10 @@ Discretisation<D> build(const Scene& scene, Gradients gradients) {
   disc.spacing = disc.particles.spacing;
   disc.points = scene.formulation == Formulation::stress_point ? cell_points<D>(disc.particles)
                                                                : node_points<D>(disc.particles);
-  disc.points.V = with_shared_values(std::move(disc.points.V), shared_row_tolerance);
+  disc.points.V = with_shared_values(std::move(disc.points.V), tolerance_of(disc.particles));
   disc.adjoint = is_adjoint(scene.formulation);
   parts::add_materials<D>(scene, disc);
-  disc.mass = with_shared_values(std::move(disc.mass), shared_row_tolerance);
+  disc.mass = with_shared_values(std::move(disc.mass), tolerance_of(disc.particles));
   parts::add_conditions<D>(scene, disc);
   if (disc.adjoint)
     add_adjoint_operators<D>(scene, gradients, disc);

@@ -6,6 +6,9 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
+#include <array>
+#include <functional>
+#include <initializer_list>
 #include <string>
 
 #include "tlsph/dynamics/sweep.hpp"
@@ -16,8 +19,9 @@
 namespace tlsph {
 namespace {
 
-/// A sheet of so many cells a side.
-Discretisation<2> sheet(const std::string& formulation, double support, double jitter,
+/// A sheet or a bar of so many cells a side.
+template <int D>
+Discretisation<D> sheet(const std::string& formulation, double support, double jitter,
                         const std::string& law, long cells) {
   std::vector<std::string> overrides;
   if (support > 0.0) {
@@ -25,11 +29,12 @@ Discretisation<2> sheet(const std::string& formulation, double support, double j
     overrides.emplace_back("stabiliser.kind=none");
   }
   const std::string text = fmt::format(
-      "formulation = \"{}\"\n[body]\nshape = {{ box = [[0.0, 0.0], [1.0, 1.0]] }}\n"
-      "spacing = {:.17g}\njitter = {}\n[material]\nlaw = \"{}\"\nyoung = 2e6\npoisson = 0.3\n"
+      "dimension = {}\nformulation = \"{}\"\n[body]\nshape = {{ {} }}\nspacing = {:.17g}\njitter = "
+      "{}\n[material]\nlaw = \"{}\"\nyoung = 2e6\npoisson = 0.3\n"
       "density = 1000\n[time]\nend = 1.0\n",
-      formulation, 1.0 / static_cast<double>(cells), jitter, law);
-  return build<2>(read_scene_text(text, "sheet", overrides));
+      D, formulation, D == 1 ? "interval = [0.0, 1.0]" : "box = [[0.0, 0.0], [1.0, 1.0]]",
+      1.0 / static_cast<double>(cells), jitter, law);
+  return build<D>(read_scene_text(text, "sheet", overrides));
 }
 
 /// What a benchmark varies: operators, storage and law.
@@ -50,8 +55,14 @@ constexpr std::array bodies = {
     Body{"collocated-21/irregular", "variational", 2.5, 0.2, "neo-hookean"},
 };
 
-Discretisation<2> sheet(const Body& body, long cells) {
-  return sheet(body.formulation, body.support, body.jitter, body.law, cells);
+constexpr std::array bars = {
+    Body{"bar", "stress-point", 0.0, 0.0, "neo-hookean"},
+    Body{"bar/linear", "stress-point", 0.0, 0.0, "linear-elastic"},
+};
+
+template <int D>
+Discretisation<D> sheet(const Body& body, long cells) {
+  return sheet<D>(body.formulation, body.support, body.jitter, body.law, cells);
 }
 
 constexpr double dt = 1e-9;  // nothing moves far in as many steps as a benchmark likes
@@ -62,50 +73,56 @@ void count(benchmark::State& run, Index particles) {
       benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-State<2> at_rest(const Discretisation<2>& disc) {
-  State<2> state = make_state<2>(disc, 1e-6 * disc.particles.X, 0.0 * disc.particles.X);
-  evaluate<2>(disc, state);
-  start<2>(disc, state, dt);
+template <int D>
+State<D> at_rest(const Discretisation<D>& disc) {
+  State<D> state = make_state<D>(disc, 1e-6 * disc.particles.X, 0.0 * disc.particles.X);
+  evaluate<D>(disc, state);
+  start<D>(disc, state, dt);
   return state;
 }
 
+template <int D>
 void sweep(benchmark::State& run, const Body& body, int threads) {
-  const Discretisation<2> disc = sheet(body, run.range(0));
-  State<2> state = at_rest(disc);
-  Sweep<2> sweep(disc, {threads, false, Instructions::widest});
-  BoundaryForces<2> forces = sweep.boundary_forces();
+  const Discretisation<D> disc = sheet<D>(body, run.range(0));
+  State<D> state = at_rest<D>(disc);
+  Sweep<D> sweep(disc, {threads, false, Instructions::widest});
+  BoundaryForces<D> forces = sweep.boundary_forces();
   for (auto _ : run) sweep.step(state, dt, state.time + dt, forces);
   count(run, disc.nodes());
 }
 
 /// The same step operator by operator.
+template <int D>
 void operators(benchmark::State& run, const Body& body) {
-  const Discretisation<2> disc = sheet(body, run.range(0));
-  State<2> state = at_rest(disc);
+  const Discretisation<D> disc = sheet<D>(body, run.range(0));
+  State<D> state = at_rest<D>(disc);
   for (auto _ : run) {
-    evaluate<2>(disc, state);
-    advance<2>(disc, state, dt, state.time + dt);
+    evaluate<D>(disc, state);
+    advance<D>(disc, state, dt, state.time + dt);
   }
   count(run, disc.nodes());
 }
 
+template <int D>
 void plain(benchmark::State& run, const Body& body) {
-  const Discretisation<2> disc = sheet(body, run.range(0));
-  PlainStep<2> step(disc, at_rest(disc).u);
+  const Discretisation<D> disc = sheet<D>(body, run.range(0));
+  PlainStep<D> step(disc, at_rest<D>(disc).u);
   for (auto _ : run) step.step(dt);
   count(run, disc.nodes());
 }
 
+template <int D>
 void gradient_product(benchmark::State& run, const Body& body) {
-  const Discretisation<2> disc = sheet(body, run.range(0));
-  State<2> state = at_rest(disc);
+  const Discretisation<D> disc = sheet<D>(body, run.range(0));
+  State<D> state = at_rest<D>(disc);
   for (auto _ : run) disc.gradient.gradient(state.u, state.H);
   count(run, disc.nodes());
 }
 
+template <int D>
 void divergence_product(benchmark::State& run, const Body& body) {
-  const Discretisation<2> disc = sheet(body, run.range(0));
-  State<2> state = at_rest(disc);
+  const Discretisation<D> disc = sheet<D>(body, run.range(0));
+  State<D> state = at_rest<D>(disc);
   for (auto _ : run) disc.divergence.divergence(state.P, state.f);
   count(run, disc.nodes());
 }
@@ -125,19 +142,34 @@ void law(benchmark::State& run, LawName name, Assumption assumption) {
   count(run, H.rows());
 }
 
+using Function = std::function<void(benchmark::State&)>;
+
+void add(const std::string& name, const Function& function, std::initializer_list<long> cells) {
+  auto* added = benchmark::RegisterBenchmark(name.c_str(), function);
+  for (const long n : cells) added->Arg(n);
+}
+
+template <int D>
+void add_body(const Body& body, std::initializer_list<long> cells) {
+  using State = benchmark::State;
+  const std::string name = body.name;
+  add(
+      "Sweep/" + name, [&body](State& run) { sweep<D>(run, body, 1); }, cells);
+  add(
+      "Sweep/" + name + "/threads:2", [&body](State& run) { sweep<D>(run, body, 2); }, cells);
+  add(
+      "Operators/" + name, [&body](State& run) { operators<D>(run, body); }, cells);
+  add(
+      "Eigen/" + name, [&body](State& run) { plain<D>(run, body); }, cells);
+  add(
+      "Gradient/" + name, [&body](State& run) { gradient_product<D>(run, body); }, cells);
+  add(
+      "Divergence/" + name, [&body](State& run) { divergence_product<D>(run, body); }, cells);
+}
+
 void register_all() {
-  const auto add = [](const std::string& name, auto function) {
-    benchmark::RegisterBenchmark(name.c_str(), function)->Arg(30)->Arg(300)->Arg(706);
-  };
-  for (const Body& body : bodies) {
-    const std::string name = body.name;
-    add("Sweep/" + name, [&body](benchmark::State& run) { sweep(run, body, 1); });
-    add("Sweep/" + name + "/threads:2", [&body](benchmark::State& run) { sweep(run, body, 2); });
-    add("Operators/" + name, [&body](benchmark::State& run) { operators(run, body); });
-    add("Eigen/" + name, [&body](benchmark::State& run) { plain(run, body); });
-    add("Gradient/" + name, [&body](benchmark::State& run) { gradient_product(run, body); });
-    add("Divergence/" + name, [&body](benchmark::State& run) { divergence_product(run, body); });
-  }
+  for (const Body& body : bodies) add_body<2>(body, {14, 30, 54, 300, 706});
+  for (const Body& body : bars) add_body<1>(body, {30, 1000, 100'000, 499'999});
   const auto add_law = [](const char* name, LawName law_name, Assumption assumption) {
     benchmark::RegisterBenchmark(name, [=](benchmark::State& run) {
       law(run, law_name, assumption);

@@ -58,8 +58,9 @@ void write_shared(const RowStorage& storage, const Neighbours& pattern, std::spa
 /// number of candidates shows: volumes of equal particles become equal to the last bit.
 [[nodiscard]] ScalarField with_shared_values(ScalarField values, double tolerance);
 
-/// Rounding of positions, relative to a row's largest weight, up to which rows are taken as equal:
-/// a lattice with 1e4 particles a side has weights that differ by 1e-12.
-inline constexpr double shared_row_tolerance = 1e-11;
+/// How far weights of rows that mean the same may differ, relative to a row's largest: positions as
+/// far out as `reach` are rounded to ε reach, which is so much of a `spacing`. 1e-11 up to 1e4
+/// particles a side.
+[[nodiscard]] double shared_row_tolerance(double reach, double spacing);
 
 }  // namespace tlsph
