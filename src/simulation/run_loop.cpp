@@ -112,8 +112,10 @@ void RunLoop<D>::run(Summary& summary) {
     throw NumericalError(summary.failure, failure.time(), failure.particle());
   }
   if (exact_.displacement && !summary.interrupted) {
+    const Stopwatch watch;
     const RelativeErrors errors = errors_against<D>(exact_, disc_, state_, clock_.dt);
     summary.errors = FieldErrors{errors.displacement, errors.velocity, errors.stress};
+    output_seconds_ += watch.seconds();
   }
   close_books();
 }
@@ -123,17 +125,18 @@ void RunLoop<D>::run(Summary& summary) {
 template <int D>
 void RunLoop<D>::evaluate_for_observers() {
   evaluated_ = !sweep_ || books_due() || frame_due();
-  const Stopwatch watch;
-  if (evaluated_) {
-    if (sweep_)
+  if (!sweep_) {
+    evaluate<D>(disc_, state_);
+    if (state_.step > 0) ledger_.arrive(disc_, state_, clock_.dt);
+  } else if (evaluated_ || probes_due()) {
+    const Stopwatch watch;
+    if (evaluated_)
       sweep_->evaluate(state_);
     else
-      evaluate<D>(disc_, state_);
-    if (state_.step > 0) ledger_.arrive(disc_, state_, clock_.dt);
-  } else if (probes_due()) {
-    excerpt_->evaluate(disc_, state_);
+      excerpt_->evaluate(disc_, state_);
+    if (evaluated_ && state_.step > 0) ledger_.arrive(disc_, state_, clock_.dt);
+    output_seconds_ += watch.seconds();
   }
-  if (sweep_) output_seconds_ += watch.seconds();
   if (!evaluated_ && strains_due()) disc_.gradient.gradient(state_.u, state_.H);
 }
 
