@@ -41,6 +41,8 @@ RegionLaw<D> law_of(const AnyLaw<D>& any, const sweep::Kernels<D>& kernels) {
           return {kernels.st_venant_kirchhoff, constants, nullptr};
         else if constexpr (std::is_same_v<Law, NeoHookean<D, Assumption::strain>>)
           return {kernels.neo_hookean, constants, nullptr};
+        else if (law.lambda() >= 0.0)
+          return {kernels.neo_hookean_free, constants, nullptr};
         else
           return {{}, constants, &any};
       },

@@ -94,6 +94,7 @@ struct Kernels {
   LawKernels linear_elastic;
   LawKernels st_venant_kirchhoff;
   LawKernels neo_hookean;
+  LawKernels neo_hookean_free;  ///< missing directions without stress; λ ≥ 0
   /// `count` rounds of independent fused multiply-adds on registers; their number, and a sum so
   /// that nobody leaves them out.
   Index (*multiply_adds)(Index count, double& sum);

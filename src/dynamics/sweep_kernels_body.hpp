@@ -65,7 +65,8 @@ constexpr Kernels<D> make_kernels() {
           differences<D>,
           law_kernels<D, LinearElastic>(),
           law_kernels<D, StVenantKirchhoff>(),
-          law_kernels<D, NeoHookean>(),
+          law_kernels<D, NeoHookean<0>>(),
+          law_kernels<D, NeoHookean<3 - D>>(),
           multiply_adds,
           subtract,
           update};

@@ -118,35 +118,70 @@ struct StVenantKirchhoff {
   }
 };
 
-/// P = μ (F − F⁻ᵀ) + λ ln J F⁻ᵀ as in materials/neo_hookean.hpp, missing directions unstrained.
+/// P = μ (F − F⁻ᵀ) + p F⁻ᵀ as in materials/neo_hookean.hpp, p = λ ln J where missing directions are
+/// unstrained, or `free` of them without stress.
+template <int free>
 struct NeoHookean {
   Real lambda, mu;
   TLSPH_INLINE void operator()(Real& h, Whole& good) const {
     const Real J = 1.0 + h;
     Real inverse;
     const Real log = log_and_inverse(h, J, inverse, good);
-    h = (mu * (h * J + h) + lambda * log) * inverse;
+    h = (mu * (h * J + h) + pressure(log, good)) * inverse;
   }
   TLSPH_INLINE void operator()(Real& h00, Real& h10, Real& h01, Real& h11, Whole& good) const {
     const Real e = h00 + h11 + (h00 * h11 - h01 * h10);
     const Real J = 1.0 + e;
     Real inverse;
     const Real log = log_and_inverse(e, J, inverse, good);
-    const Real pressure = lambda * log * inverse;
+    const Real normal = pressure(log, good) * inverse;
     const Real shear_modulus = mu * inverse;
     const Real stretch = shear_modulus * (h00 - h11);
     const Real shear = shear_modulus * (h01 + h10);
     const Real dilation = shear_modulus * e;
     const Real f00 = 1.0 + h00;
     const Real f11 = 1.0 + h11;
-    const Real p00 = dilation * f00 + stretch + pressure * f11;
-    const Real p11 = dilation * f11 - stretch + pressure * f00;
-    const Real p01 = dilation * h01 + shear - pressure * h10;
-    const Real p10 = dilation * h10 + shear - pressure * h01;
+    const Real p00 = dilation * f00 + stretch + normal * f11;
+    const Real p11 = dilation * f11 - stretch + normal * f00;
+    const Real p01 = dilation * h01 + shear - normal * h10;
+    const Real p10 = dilation * h10 + shear - normal * h01;
     h00 = p00;
     h01 = p01;
     h10 = p10;
     h11 = p11;
+  }
+
+ private:
+  TLSPH_INLINE Real pressure(Real log, Whole& good) const {
+    if constexpr (free == 0)
+      return lambda * log;
+    else
+      return pressure_of_free(log, good);
+  }
+
+  /// −μ c of c = s² − 1, s the common stretch of the free directions: by Newton,
+  ///
+  ///     g(c) = μ c + λ (ln J + free/2 ln(1 + c)) = 0,
+  ///
+  /// which grows and is concave for λ ≥ 0: from the second iterate on the way goes up to the root.
+  TLSPH_INLINE Real pressure_of_free(Real log, Whole& good) const {
+    constexpr int most_iterations = 60;
+    constexpr double half = 0.5 * free;
+    const auto at_least = [](Real value, Real bound) __attribute__((always_inline)) {
+      return value > bound ? value : bound;
+    };
+    Real c = at_least(-log * lambda / (mu + half * lambda), all(-0.9));
+    Whole found{};
+    for (int iteration = 0; iteration < most_iterations && !everywhere(found); ++iteration) {
+      Real inverse;
+      const Real transverse = log_and_inverse(c, 1.0 + c, inverse, good);
+      const Real step =
+          (mu * c + lambda * (log + half * transverse)) / (mu + half * lambda * inverse);
+      found = absolute(step) <= 1e-9 * absolute(c);  // the next would be below rounding
+      c = at_least(c - step, 0.1 * (1.0 + c) - 1.0);
+    }
+    good &= found;
+    return -mu * c;
   }
 };
 
