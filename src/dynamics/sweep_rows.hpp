@@ -82,7 +82,9 @@ TLSPH_INLINE void gradient_of_row(const Row<Weight>& row, const double* u,
     __builtin_prefetch(row.weight + (k + ahead) * Directions);
     for (int part = 0; part < parts; ++part) add(k + part, part);
   }
-  for (int part = 0; k < row.entries; ++k, ++part) add(k, part);
+  for (int part = 0; part + 1 < parts;
+       ++part)  // its numbers must be known, or sums leave registers
+    if (k + part < row.entries) add(k + part, part);
   for (int a = 0; a < Directions; ++a) {
     Value total = sum[0][a] + sum[1][a];
     if constexpr (parts == 4) total += sum[2][a] + sum[3][a];
@@ -140,7 +142,9 @@ TLSPH_INLINE typename RowValue<D>::Type differences_of_row(const Row<Weight>& ro
   Index k = 0;
   for (; k + parts <= row.entries; k += parts)
     for (int part = 0; part < parts; ++part) add(k + part, part);
-  for (int part = 0; k < row.entries; ++k, ++part) add(k, part);
+  for (int part = 0; part + 1 < parts;
+       ++part)  // its numbers must be known, or sums leave registers
+    if (k + part < row.entries) add(k + part, part);
   return ((sum[0] + sum[1]) + (sum[2] + sum[3])) * row.scale;
 }
 
