@@ -100,6 +100,20 @@ std::vector<std::string> words_of(std::string_view text) {
 
 }  // namespace
 
+PointsTable PointsTable::in_order(const std::vector<int>& order) const {
+  PointsTable result;
+  result.file = file;
+  result.dimension = dimension;
+  for (const int point : order) {
+    const auto q = static_cast<std::size_t>(point);
+    for (std::size_t a = 0; a < dimension; ++a) result.X.push_back(X[q * dimension + a]);
+    if (!V.empty()) result.V.push_back(V[q]);
+    if (!tags.empty()) result.tags.push_back(tags[q]);
+    result.line.push_back(line[q]);
+  }
+  return result;
+}
+
 PointsTable read_points(const fs::path& file, std::size_t dimension) {
   Place place{file.string(), 0, 0, ""};
   std::error_code error;

@@ -122,6 +122,10 @@ Hdf5File create_file(const std::filesystem::path& path, const RunLayout& layout,
   write_vertices(file, "/xdmf/particles", start.particles);
   if (layout.points_are_cells) write_cells(file, layout, start.cells);
   if (layout.triangles > 0) write_triangles(file, layout, start);
+  if (!start.line.empty()) {
+    file.write("/particles/line", start.line, {layout.particles});
+    file.set_attribute("/particles/line", "unit", "1");
+  }
   if (!draws_cells(layout)) write_vertices(file, "/xdmf/points", start.points);
   file.create_series("/frames/time", {}, series_chunk_rows);
   file.set_attribute("/frames/time", "unit", "s");

@@ -66,6 +66,7 @@ std::vector<Key> all_keys() {
        "x,y[,volume][,tag] (1D: x[,volume][,tag]), then a line per node. They fill the shape, its "
        "corners among them; those on its outline make the boundary. Without volumes each node has "
        "its Voronoi cell; a tag names nodes for [[boundary]] where, several separated by spaces. "
+       "Nodes in an order that jumps about are put in strips; run.h5 says which line each is. "
        "For consistent, variational and stress-point (one point per edge of the triangles between "
        "them; locks as poisson nears 0.5). One kernel.support serves them all, so their distances "
        "should not differ by more than about half"},

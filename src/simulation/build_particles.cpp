@@ -14,6 +14,7 @@
 #include "tlsph/particles/hexagonal.hpp"
 #include "tlsph/particles/jitter.hpp"
 #include "tlsph/particles/lattice.hpp"
+#include "tlsph/particles/locality.hpp"
 #include "tlsph/simulation/builder.hpp"
 
 namespace tlsph {
@@ -95,8 +96,11 @@ Particles<D> imported(const Scene& scene, const Shape<D>& shape) {
     throw InputError(scene.body.cloud_place,
                      fmt::format("there is no file {}; the path is relative to the scene's folder",
                                  file.string()));
-  const PointsTable table = read_points(file, D);
+  PointsTable table = read_points(file, D);
   require_memory(scene, static_cast<double>(table.size()));
+  const auto order = local_order<D>(
+      Eigen::Map<const VectorField<D>>(table.X.data(), static_cast<Index>(table.size()), D));
+  if (!order.empty()) table = table.in_order(order);
   const NodePlaces places = [&](Index q) { return table.place_of(static_cast<std::size_t>(q)); };
   const auto count = static_cast<Index>(table.size());
   Particles<D> particles = make_cloud<D>(Eigen::Map<const VectorField<D>>(table.X.data(), count, D),
@@ -111,6 +115,7 @@ Particles<D> imported(const Scene& scene, const Shape<D>& shape) {
     const Place place = places(nodes.front());
     particles = with_named_nodes<D>(std::move(particles), name, std::move(nodes), place);
   }
+  particles.line = table.line;
   return particles;
 }
 

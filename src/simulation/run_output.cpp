@@ -121,6 +121,7 @@ RunOutput<D>::RunOutput(const std::filesystem::path& directory, const Scene& sce
   if (layout_.points_are_cells) start.cells = cells = corners<D>(disc.particles.cells);
   const std::vector<std::int32_t> surface = corners(disc.particles.triangles);
   start.triangles = surface;
+  start.line = disc.particles.line;
   std::vector<std::int32_t> sides;
   if (!layout_.points_are_nodes) start.edges = sides = edges(disc.particles.triangles);
   for (std::size_t bit = 0; bit < disc.particles.patches.size() && bit < 63; ++bit) {

@@ -1,9 +1,12 @@
 """Nodes from a file of points, and hexagonal ones: run, planned, exported; what is wrong is named."""
 
 import json
+import math
+import random
 import re
 import unittest
 
+import h5py
 from support import SHEET, ProgramTest
 
 CLOUD = SHEET.replace("spacing = 0.1", 'cloud = "points.csv"')
@@ -115,6 +118,31 @@ class GoodClouds(ProgramTest):
                 summary = json.loads((self.folder / "results/summary.json").read_text())
                 self.assertEqual(summary["formulation"], formulation)
                 self.assertGreater(abs(float(rows[0].splitlines()[-1].split(",")[2])), 0.0)
+
+    def test_order_of_the_file(self):
+        header, *rows = lattice(12).splitlines()
+        probes = []
+        for seed in (None, 3):
+            listed = list(rows)
+            if seed is not None:
+                random.Random(seed).shuffle(listed)
+            self.write("points.csv", "\n".join([header, *listed]) + "\n")
+            self.write("scene.toml", CLOUD)
+            done = self.tlsph("run", "scene.toml", "--out", "results")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            probes.append([float(x) for x in (self.folder / "results/probes.csv").read_text().split("\n")[-2].split(",")])
+
+            with h5py.File(self.folder / "results/run.h5") as file:
+                lines, X = file["particles/line"][:], file["particles/X"][:]
+            self.assertEqual(sorted(lines), list(range(2, len(rows) + 2)))
+            for line, x in zip(lines, X):
+                for cell, coordinate in zip(listed[line - 2].split(","), x):
+                    self.assertAlmostEqual(float(cell), coordinate, delta=1e-9)
+            way = sum(math.dist(a, b) for a, b in zip(X, X[1:])) / len(X)
+            self.assertLess(way, 3 / 12)  # at random it is half of the side
+
+        for one, other in zip(*probes):
+            self.assertAlmostEqual(one, other, delta=1e-9 * max(abs(one), 1e-12))
 
     def test_plan_and_export(self):
         self.write("points.csv", lattice(6))

@@ -25,6 +25,8 @@ struct PointsTable {
   [[nodiscard]] Place place_of(std::size_t point) const {
     return {file.string(), point < line.size() ? line[point] : 1, 1, ""};
   }
+  /// The same points, point order[k] the k-th.
+  [[nodiscard]] PointsTable in_order(const std::vector<int>& order) const;
 };
 
 /// Reads `file`: a header of `x` and, in two dimensions, `y`, then `volume` and `tag` where wanted,

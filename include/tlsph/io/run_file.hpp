@@ -6,6 +6,8 @@
 ///     /scene                    attributes text (TOML, as run), file, version, dimension
 ///     /particles/{X, V, tag}    /points/{X, V}
 ///     /points/cells             M×2^d numbers of nodes, if the points are the cells between them
+///     /particles/line           N lines of the file that listed the particles, if one did: they
+///                               may stand in another order here
 ///     /particles/triangles      K×3 numbers of nodes, if triangles of them fill the body
 ///     /points/edges             M×4, if the points are their edges: nodes at the ends, on the left
 ///                               and, or −1, on the right
@@ -74,6 +76,7 @@ struct RunStart {
       {};  ///< points×2^d nodes, counter-clockwise; empty if points are no cells
   std::span<const std::int32_t> triangles = {};  ///< triangles×3 nodes, counter-clockwise
   std::span<const std::int32_t> edges = {};      ///< points×4; empty if points are no edges
+  std::span<const std::int32_t> line = {};       ///< particles; empty if no file lists them
 };
 
 class RunFile {

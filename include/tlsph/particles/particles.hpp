@@ -87,7 +87,8 @@ struct Particles {
   Vector<D> spacings = Vector<D>::Zero();  ///< Δ per direction [m], within 1 % of another
   NodePlacement placement = NodePlacement::on_boundary;
   std::optional<LatticeFrame<D>>
-      frame;  ///< only if the body is an undisturbed full interval or box
+      frame;                   ///< only if the body is an undisturbed full interval or box
+  std::vector<int> line = {};  ///< N lines of the file that listed them, from 1; else empty
 
   [[nodiscard]] Index size() const { return X.rows(); }
   /// The patch of that name, nullptr if the body has none.
