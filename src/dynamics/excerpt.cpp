@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "tlsph/dynamics/measures.hpp"
+#include "tlsph/dynamics/stabiliser_forces.hpp"
+#include "tlsph/operators/products.hpp"
 
 namespace tlsph {
 namespace {
@@ -10,15 +12,6 @@ namespace {
 void sort_unique(std::vector<Index>& list) {
   std::ranges::sort(list);
   list.erase(std::unique(list.begin(), list.end()), list.end());
-}
-
-/// Σ_q A_pq (x_q − x_p), as subtract_differences sums it.
-template <int D>
-Vector<D> differences_row(const SparseMatrix& A, Index p, const VectorField<D>& x) {
-  Vector<D> sum = Vector<D>::Zero();
-  for (SparseMatrix::InnerIterator it(A, p); it; ++it)
-    for (int i = 0; i < D; ++i) sum[i] += it.value() * (x(it.col(), i) - x(p, i));
-  return sum;
 }
 
 }  // namespace
@@ -54,8 +47,7 @@ void Excerpt<D>::evaluate(const Discretisation<D>& disc, State<D>& state) const 
     state.f.data()[load.dof] += value(disc.loads[load.load].curve, state.time) * load.weight;
   for (const Index q : nodes_) {
     if (disc.has_body_force()) state.f.row(q) += disc.mass[q] * disc.body_force.transpose();
-    if (disc.stiffness.nonZeros() > 0)
-      state.f.row(q) -= differences_row<D>(disc.stiffness, q, state.u).transpose();
+    if (has_stabiliser(disc)) state.f.row(q) -= stabiliser_row<D>(disc, q, state.u).transpose();
     if (disc.viscosity.nonZeros() > 0) {
       state.viscous.row(q) = differences_row<D>(disc.viscosity, q, state.v).transpose();
       state.f.row(q) -= state.viscous.row(q);

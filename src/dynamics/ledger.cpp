@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tlsph/dynamics/stabiliser_forces.hpp"
+
 namespace tlsph {
 namespace {
 
@@ -191,11 +193,7 @@ double elastic_energy(const Discretisation<D>& disc, const State<D>& state) {
             for (const int s : region.points) at(s);
         },
         region.law);
-  // ½ uᵀ S u with S·1 = 0, in differences, so that a body that has travelled far keeps its digits.
-  for (Index p = 0; p < disc.stiffness.outerSize(); ++p)
-    for (SparseMatrix::InnerIterator it(disc.stiffness, p); it; ++it)
-      energy -= 0.25 * it.value() * (state.u.row(p) - state.u.row(it.col())).squaredNorm();
-  return energy;
+  return energy + stabiliser_energy<D>(disc, state.u);
 }
 
 template <int D>

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "tlsph/core/parallel.hpp"
-#include "tlsph/operators/products.hpp"
+#include "tlsph/dynamics/stabiliser_forces.hpp"
 
 namespace tlsph {
 namespace {
@@ -61,7 +61,7 @@ void LinearisedForces<D>::product(const VectorField<D>& x, VectorField<D>& force
         region.law);
   for (const SignalTerm& term : disc_.stress_values) H_.data()[term.slot] = 0.0;
   disc_.divergence.divergence(H_, force);
-  if (disc_.stiffness.nonZeros() > 0) subtract_differences<D>(disc_.stiffness, x, force);
+  subtract_stabiliser<D>(disc_, x, force);
 }
 
 template <int D>

@@ -11,6 +11,7 @@
 
 #include "tlsph/core/error.hpp"
 #include "tlsph/core/parallel.hpp"
+#include "tlsph/dynamics/stabiliser_forces.hpp"
 #include "tlsph/materials/kinematics.hpp"
 #include "tlsph/materials/uniaxial.hpp"
 #include "tlsph/operators/products.hpp"
@@ -87,7 +88,7 @@ void forces(const Discretisation<D>& disc, State<D>& state) {
         state.f.data()[load.dof[k]] += pressure * load.weight[k];
     }
   if (disc.has_body_force()) state.f.noalias() += disc.mass * disc.body_force.transpose();
-  if (disc.stiffness.nonZeros() > 0) subtract_differences<D>(disc.stiffness, state.u, state.f);
+  subtract_stabiliser<D>(disc, state.u, state.f);
   if (disc.viscosity.nonZeros() > 0) {
     multiply_differences<D>(disc.viscosity, state.v, state.viscous);
     state.f -= state.viscous;

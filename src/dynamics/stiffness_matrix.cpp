@@ -4,6 +4,8 @@
 #include <cassert>
 #include <vector>
 
+#include "tlsph/dynamics/stabiliser_forces.hpp"
+
 namespace tlsph {
 namespace {
 
@@ -35,6 +37,7 @@ SparseMatrix stiffness_matrix(const Discretisation<D>& disc, const TensorField<D
     G[static_cast<std::size_t>(a)] = disc.gradient.matrix(a);
     adjoint[static_cast<std::size_t>(a)] = G[static_cast<std::size_t>(a)].transpose();
   }
+  const SparseMatrix S = stabiliser_matrix<D>(disc);
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::VectorXd scale(disc.points.size());
   for (int i = 0; i < D; ++i)
@@ -47,7 +50,7 @@ SparseMatrix stiffness_matrix(const Discretisation<D>& disc, const TensorField<D
           const SparseMatrix right = scale.asDiagonal() * G[static_cast<std::size_t>(b)];
           block += SparseMatrix(adjoint[static_cast<std::size_t>(a)] * right);
         }
-      if (i == j && disc.stiffness.nonZeros() > 0) block += disc.stiffness;
+      if (i == j && S.nonZeros() > 0) block += S;
       for (int q = 0; q < block.rows(); ++q)
         for (SparseMatrix::InnerIterator entry(block, q); entry; ++entry)
           entries.emplace_back(q * D + i, static_cast<int>(entry.col()) * D + j, entry.value());

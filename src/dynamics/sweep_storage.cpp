@@ -1,9 +1,8 @@
 #include "sweep_storage.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <map>
-
-#include "tlsph/operators/stabilisers.hpp"
 
 namespace tlsph::sweep {
 namespace {
@@ -57,13 +56,27 @@ void set_general(Table& table, const Neighbours& pattern, const double* weights)
   table.weight = weights;
 }
 
-/// The weights of an operator with rows that have no stencil; empty if there are none.
-std::vector<float> singles(const RowStorage& rows, std::span<const double> weights) {
-  const bool general =
-      std::ranges::any_of(rows.runs, [](const RowRun& run) { return run.stencil == no_stencil; });
-  if (!general) return {};
-  std::vector<float> result(weights.size());
-  std::ranges::transform(weights, result.begin(), [](double w) { return static_cast<float>(w); });
+/// The weights of rows without a stencil, at the places where those of all rows would stand, with a
+/// direction more if there are modes. The places of other rows are asked for and never touched, so
+/// that they take no page of memory.
+template <class Real, int D>
+std::unique_ptr<Real[]> weights_of_general(const RowStorage& rows, const VectorOperator<D>& op,
+                                           std::span<const double> modes) {
+  const std::size_t stride = modes.empty() ? D : D + 1;
+  auto result =
+      std::make_unique_for_overwrite<Real[]>(static_cast<std::size_t>(op.nonzeros()) * stride);
+  for (const RowRun& run : rows.runs) {
+    if (run.stencil != no_stencil) continue;
+    const auto first = static_cast<std::size_t>(run.first);
+    const auto begin = static_cast<std::size_t>(op.pattern().start[first]);
+    const auto end =
+        static_cast<std::size_t>(op.pattern().start[first + static_cast<std::size_t>(run.count)]);
+    for (std::size_t k = begin; k < end; ++k) {
+      for (std::size_t a = 0; a < D; ++a)
+        result[k * stride + a] = static_cast<Real>(op.weights()[k * D + a]);
+      if (!modes.empty()) result[k * stride + D] = static_cast<Real>(modes[k]);
+    }
+  }
   return result;
 }
 
@@ -97,58 +110,41 @@ Neighbours pattern_of(const SparseMatrix& matrix) {
   return pattern;
 }
 
-/// The weights of an operator with a direction more, entry by entry.
-std::vector<double> with_direction(std::span<const double> weights, int stride,
-                                   const double* further) {
-  const std::size_t entries = weights.size() / static_cast<std::size_t>(stride);
-  std::vector<double> result;
-  result.reserve(entries * static_cast<std::size_t>(stride + 1));
-  for (std::size_t k = 0; k < entries; ++k) {
-    const auto from = weights.begin() + static_cast<std::ptrdiff_t>(k) * stride;
-    result.insert(result.end(), from, from + stride);
-    result.push_back(further[k]);
-  }
-  return result;
-}
-
-bool same_pattern(const Neighbours& pattern, const SparseMatrix& matrix) {
-  return std::equal(pattern.column.begin(), pattern.column.end(), matrix.innerIndexPtr(),
-                    matrix.innerIndexPtr() + matrix.nonZeros()) &&
-         std::equal(pattern.start.begin(), pattern.start.end(), matrix.outerIndexPtr(),
-                    matrix.outerIndexPtr() + matrix.rows() + 1);
-}
-
 }  // namespace
 
 template <int D>
 Storage<D>::Storage(const Discretisation<D>& disc, bool single)
-    : inverse_mass(disc.mass.cwiseInverse()), disc_(disc) {
+    : modes(!disc.hourglass.empty()), inverse_mass(disc.mass.cwiseInverse()), disc_(disc) {
   const Neighbours& gradient_pattern = disc.gradient.pattern();
   const Neighbours& divergence_pattern = disc.divergence.pattern();
-  add_modes();
-  const std::span<const double> g =
-      modes ? std::span<const double>(gradient_weights_) : disc.gradient.weights();
-  const std::span<const double> d =
-      modes ? std::span<const double>(divergence_weights_) : disc.divergence.weights();
-  const int directions = modes ? D + 1 : D;
-  gradient = share_rows(gradient_pattern, g, directions);
-  divergence = with_row_factors(share_rows(divergence_pattern, d, directions), inverse_mass);
+  const std::span<const double> amplitudes(disc.hourglass.weights);
+  gradient = share_rows(gradient_pattern, disc.gradient.weights(), D, 0.0, amplitudes);
+  general_gradient_ = general_rows(gradient, disc.gradient, amplitudes, single, gradient_table);
+  const std::vector<double> forces = mode_forces();
+  divergence = with_row_factors(
+      share_rows(divergence_pattern, disc.divergence.weights(), D, 0.0, forces), inverse_mass);
+  general_divergence_ = general_rows(divergence, disc.divergence, forces, single, divergence_table);
   set_stencils(gradient_table, gradient);
   set_stencils(divergence_table, divergence);
-  set_general(gradient_table, gradient_pattern, g.data());
-  set_general(divergence_table, divergence_pattern, d.data());
   divergence_table.row_scale = inverse_mass.data();
-  if (single) {
-    gradient_single_ = singles(gradient, g);
-    divergence_single_ = singles(divergence, d);
-    gradient_table.weight_single = gradient_single_.empty() ? nullptr : gradient_single_.data();
-    divergence_table.weight_single =
-        divergence_single_.empty() ? nullptr : divergence_single_.data();
-  }
   report = tlsph::report(gradient, gradient_pattern);
   add(tlsph::report(divergence, divergence_pattern));
   add_rows();
-  release_unused();
+}
+
+template <int D>
+auto Storage<D>::general_rows(const RowStorage& rows, const VectorOperator<D>& op,
+                              std::span<const double> modes, bool single, Table& table) -> General {
+  General general;
+  const bool any =
+      std::ranges::any_of(rows.runs, [](const RowRun& run) { return run.stencil == no_stencil; });
+  if (any && single)
+    general.single = weights_of_general<float, D>(rows, op, modes);
+  else if (any && !modes.empty())
+    general.weight = weights_of_general<double, D>(rows, op, modes);
+  set_general(table, op.pattern(), modes.empty() ? op.weights().data() : general.weight.get());
+  table.weight_single = general.single.get();
+  return general;
 }
 
 template <int D>
@@ -156,7 +152,7 @@ void Storage<D>::add_rows() {
   const SparseMatrix* matrix = nullptr;
   if (disc_.viscosity.nonZeros() > 0)
     matrix = &disc_.viscosity;
-  else if (disc_.stiffness.nonZeros() > 0 && !modes)
+  else if (disc_.stiffness.nonZeros() > 0)
     matrix = &disc_.stiffness;
   if (matrix == nullptr) return;
   has_rows = true;
@@ -179,30 +175,25 @@ void Storage<D>::add(const StorageReport& other) {
   report.bytes += other.bytes;
 }
 
-/// Copies that only general rows would read.
+/// −Aᵀ κ, entry by entry as the weights of D: a cell stabiliser S = Aᵀ κ A is a direction more, A u
+/// beside G u and −Aᵀ κ beside D.
 template <int D>
-void Storage<D>::release_unused() {
-  const auto all_stencils = [](const RowStorage& storage) {
-    return std::ranges::all_of(storage.runs,
-                               [](const RowRun& run) { return run.stencil != no_stencil; });
-  };
-  if (all_stencils(gradient)) gradient_weights_ = {};
-  if (all_stencils(divergence)) divergence_weights_ = {};
-}
-
-/// The cell stabiliser S = Aᵀ κ A as a direction more: A u beside G u, −Aᵀ κ beside D.
-template <int D>
-void Storage<D>::add_modes() {
-  if constexpr (D == 2) {
-    if (disc_.cell_modulus.size() == 0) return;
-    const SparseMatrix A = hourglass_rows(disc_.particles, disc_.gradient);
-    if (!same_pattern(disc_.gradient.pattern(), A)) return;
-    const SparseMatrix force = SparseMatrix(-(disc_.cell_modulus.asDiagonal() * A)).transpose();
-    if (!same_pattern(disc_.divergence.pattern(), force)) return;
-    gradient_weights_ = with_direction(disc_.gradient.weights(), D, A.valuePtr());
-    divergence_weights_ = with_direction(disc_.divergence.weights(), D, force.valuePtr());
-    modes = true;
-  }
+std::vector<double> Storage<D>::mode_forces() const {
+  if (!modes) return {};
+  const Neighbours& cells = disc_.divergence.pattern();
+  std::vector<double> forces(cells.column.size());
+  std::vector<Index> next(cells.start.begin(), cells.start.end() - 1);
+  const Neighbours& nodes = disc_.gradient.pattern();
+  for (Index s = 0; s < nodes.rows(); ++s)
+    for (Index k = nodes.start[static_cast<std::size_t>(s)];
+         k < nodes.start[static_cast<std::size_t>(s) + 1]; ++k) {
+      const auto q = static_cast<std::size_t>(nodes.column[static_cast<std::size_t>(k)]);
+      const auto place = static_cast<std::size_t>(next[q]++);
+      assert(cells.column[place] == s);
+      forces[place] =
+          -(disc_.hourglass.modulus[s] * disc_.hourglass.weights[static_cast<std::size_t>(k)]);
+    }
+  return forces;
 }
 
 template <int D>

@@ -3,6 +3,8 @@
 /// The operators of a discretisation as a sweep reads them: equal rows once, those of D, S and C
 /// over the mass, a cell stabiliser as one direction more. Not for other rooms.
 
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "sweep_kernels.hpp"
@@ -33,15 +35,19 @@ class Storage {
   [[nodiscard]] Dependences dependences() const;
 
  private:
-  void add_modes();
+  /// The general rows of an operator that has them, into its table.
+  struct General {
+    std::unique_ptr<double[]> weight;  // where modes are a direction of them
+    std::unique_ptr<float[]> single;
+  };
+  static General general_rows(const RowStorage& rows, const VectorOperator<D>& op,
+                              std::span<const double> modes, bool single, Table& table);
+  [[nodiscard]] std::vector<double> mode_forces() const;
   void add_rows();
   void add(const StorageReport& other);
-  void release_unused();
 
   const Discretisation<D>& disc_;
-  std::vector<double> gradient_weights_,
-      divergence_weights_;  // where modes are a direction of them
-  std::vector<float> gradient_single_, divergence_single_;
+  General general_gradient_, general_divergence_;
   Neighbours rows_pattern_;
 };
 

@@ -17,6 +17,12 @@ struct Rows {
   Neighbours pattern{{0}, {}};
   std::vector<double> weights;
 
+  /// Room for so many rows of a cell's nodes each.
+  void reserve(std::size_t count) {
+    pattern.start.reserve(count + 1);
+    pattern.column.reserve(count << D);
+    weights.reserve((count << D) * D);
+  }
   void add(Row<D> row) {
     std::sort(row.begin(), row.end(),
               [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -50,6 +56,7 @@ Row<2> mean_gradient(const VectorField<2>& X, const std::vector<int>& nodes, dou
 template <int D>
 VectorOperator<D> cell_gradient(const Particles<D>& particles, const MaterialPoints<D>& points) {
   Rows<D> rows;
+  rows.reserve(static_cast<std::size_t>(points.size()));
   Index s = 0;
   for (const Cell<D>& cell : particles.cells) {
     if constexpr (D == 1)

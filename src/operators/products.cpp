@@ -47,6 +47,16 @@ void subtract_differences(const SparseMatrix& A, const VectorField<D>& x, Vector
   combine<D, 1, -1, 1>(A, x, y);
 }
 
+template <int D>
+Vector<D> differences_row(const SparseMatrix& A, Index p, const VectorField<D>& x) {
+  Vector<D> sum = Vector<D>::Zero();
+  for (SparseMatrix::InnerIterator it(A, p); it; ++it)
+    for (int i = 0; i < D; ++i) sum[i] += it.value() * (x(it.col(), i) - x(p, i));
+  return sum;
+}
+
+template Vector<1> differences_row<1>(const SparseMatrix&, Index, const VectorField<1>&);
+template Vector<2> differences_row<2>(const SparseMatrix&, Index, const VectorField<2>&);
 template void multiply<1>(const SparseMatrix&, const VectorField<1>&, VectorField<1>&);
 template void multiply<2>(const SparseMatrix&, const VectorField<2>&, VectorField<2>&);
 template void multiply_differences<1>(const SparseMatrix&, const VectorField<1>&, VectorField<1>&);

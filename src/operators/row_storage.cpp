@@ -15,6 +15,7 @@ constexpr Index fewest_rows = 4;             // that make a stencil worth its na
 struct Row {
   const int* column;
   const double* weight;
+  const double* further;  // nullptr: none
   int entries;
 };
 
@@ -41,6 +42,8 @@ class StencilFinder {
     double largest = 0.0;
     for (int k = 0; k < row.entries * stride_; ++k)
       largest = std::max(largest, std::abs(row.weight[k]));
+    for (int k = 0; row.further != nullptr && k < row.entries; ++k)
+      largest = std::max(largest, std::abs(row.further[k]));
     example_.push_back(row);
     allowed_.push_back(tolerance_ * largest);
     return last_;
@@ -57,6 +60,8 @@ class StencilFinder {
     const double allowed = allowed_[static_cast<std::size_t>(stencil)];
     for (int k = 0; k < row.entries * stride_; ++k)
       if (!(std::abs(example.weight[k] - row.weight[k]) <= allowed)) return false;
+    for (int k = 0; row.further != nullptr && k < row.entries; ++k)
+      if (!(std::abs(example.further[k] - row.further[k]) <= allowed)) return false;
     return true;
   }
 
@@ -79,12 +84,12 @@ class StencilFinder {
 }  // namespace
 
 RowStorage share_rows(const Neighbours& pattern, std::span<const double> weights, int stride,
-                      double tolerance) {
+                      double tolerance, std::span<const double> further) {
   const auto row_at = [&](Index r) {
     const Index start = pattern.start[static_cast<std::size_t>(r)];
     const Index end = pattern.start[static_cast<std::size_t>(r) + 1];
     return Row{pattern.column.data() + start, weights.data() + start * stride,
-               static_cast<int>(end - start)};
+               further.empty() ? nullptr : further.data() + start, static_cast<int>(end - start)};
   };
   StencilFinder finder(stride, tolerance);
   std::vector<int> stencil(static_cast<std::size_t>(pattern.rows()));
@@ -95,15 +100,19 @@ RowStorage share_rows(const Neighbours& pattern, std::span<const double> weights
   for (const int s : stencil)
     if (s != no_stencil) ++uses[static_cast<std::size_t>(s)];
   RowStorage storage;
-  storage.stride = stride;
+  storage.stride = further.empty() ? stride : stride + 1;
   storage.stencil_start = {0};
   std::vector<int> number(uses.size(), no_stencil);
   for (std::size_t s = 0; s < uses.size(); ++s) {
     if (uses[s] < fewest_rows) continue;
     number[s] = storage.stencils();
     const Row& row = finder.examples()[s];
-    for (int k = 0; k < row.entries; ++k) storage.offset.push_back(row.column[k] - row.column[0]);
-    storage.weight.insert(storage.weight.end(), row.weight, row.weight + row.entries * stride);
+    for (int k = 0; k < row.entries; ++k) {
+      storage.offset.push_back(row.column[k] - row.column[0]);
+      storage.weight.insert(storage.weight.end(), row.weight + k * stride,
+                            row.weight + (k + 1) * stride);
+      if (row.further != nullptr) storage.weight.push_back(row.further[k]);
+    }
     storage.stencil_start.push_back(static_cast<int>(storage.offset.size()));
     storage.reach.push_back(row.column[row.entries - 1] - row.column[0]);
   }

@@ -46,9 +46,10 @@ SparseMatrix pair_stabiliser(const VectorOperator<D>& gradient, const VectorFiel
   return normal_matrix(E, Eigen::Map<const ScalarField>(stiffness.data(), pairs));
 }
 
-SparseMatrix hourglass_rows(const Particles<2>& particles, const VectorOperator<2>& gradient) {
+std::vector<double> hourglass_weights(const Particles<2>& particles,
+                                      const VectorOperator<2>& gradient) {
   static constexpr std::array<double, 4> h = {1.0, -1.0, 1.0, -1.0};
-  SparseMatrix rows = gradient.matrix(0);  // for its pattern
+  std::vector<double> weights(static_cast<std::size_t>(gradient.nonzeros()));
   for (std::size_t s = 0; s < particles.cells.size(); ++s) {
     const Cell<2>& cell = particles.cells[s];
     Vector<2> moment = Vector<2>::Zero();
@@ -57,10 +58,16 @@ SparseMatrix hourglass_rows(const Particles<2>& particles, const VectorOperator<
       const int q = gradient.pattern().column[static_cast<std::size_t>(k)];
       const auto corner = static_cast<std::size_t>(
           std::distance(cell.begin(), std::find(cell.begin(), cell.end(), q)));
-      rows.valuePtr()[k] = 0.25 * (h[corner] - gradient.weight(k, 0) * moment[0] -
-                                   gradient.weight(k, 1) * moment[1]);
+      weights[static_cast<std::size_t>(k)] = 0.25 * (h[corner] - gradient.weight(k, 0) * moment[0] -
+                                                     gradient.weight(k, 1) * moment[1]);
     }
   }
+  return weights;
+}
+
+SparseMatrix hourglass_rows(const Particles<2>& particles, const VectorOperator<2>& gradient) {
+  SparseMatrix rows = gradient.matrix(0);  // for its pattern
+  std::ranges::copy(hourglass_weights(particles, gradient), rows.valuePtr());
   return rows;
 }
 

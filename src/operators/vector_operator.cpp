@@ -164,11 +164,10 @@ VectorOperator<D> VectorOperator<D>::row_scaled(const ScalarField& scale) const 
 }
 
 template <int D>
-VectorOperator<D> VectorOperator<D>::with_shared_rows(double tolerance) const {
-  VectorOperator result = *this;
+VectorOperator<D> VectorOperator<D>::with_shared_rows(double tolerance) && {
   write_shared(share_rows(pattern_, weights_, static_cast<int>(stride_), tolerance), pattern_,
-               result.weights_);
-  return result;
+               weights_);
+  return std::move(*this);
 }
 
 template <int D>

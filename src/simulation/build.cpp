@@ -87,7 +87,7 @@ void add_adjoint_operators(const Scene& scene, Gradients gradients, Discretisati
     disc.gradient = std::move(corrected.gradient);
     disc.consistency = corrected.residuals;
   }
-  disc.gradient = disc.gradient.with_shared_rows(tolerance_of(disc.particles));
+  disc.gradient = std::move(disc.gradient).with_shared_rows(tolerance_of(disc.particles));
   disc.divergence = disc.gradient.negative_adjoint(disc.points.V);
 }
 

@@ -74,8 +74,11 @@ void add_stabiliser(const Scene& scene, Discretisation<D>& disc) {
                          "kind = \"cell\" goes with formulation \"stress-point\" on the nodes of a "
                          "cell (no kernel.support); use \"pair\" or \"none\"");
       ScalarField modulus = strengths<2>(scene, disc, disc.points.X);
+      if (stabiliser.action == StabiliserAction::stiffness) {
+        disc.hourglass = {hourglass_weights(disc.particles, disc.gradient), std::move(modulus)};
+        return;
+      }
       S = normal_matrix(hourglass_rows(disc.particles, disc.gradient), modulus);
-      if (stabiliser.action == StabiliserAction::stiffness) disc.cell_modulus = std::move(modulus);
     } else {
       throw InputError(
           stabiliser.place,

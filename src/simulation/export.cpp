@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tlsph/dynamics/critical_step.hpp"
+#include "tlsph/dynamics/stabiliser_forces.hpp"
 #include "tlsph/io/files.hpp"
 #include "tlsph/io/json.hpp"
 #include "tlsph/io/matrix_market.hpp"
@@ -152,7 +153,7 @@ void export_in(const Scene& scene, const std::filesystem::path& directory) {
   mass.setIdentity();
   mass.diagonal() = disc.mass;
   out.write("M", mass);
-  if (disc.stiffness.nonZeros() > 0) out.write("S", disc.stiffness);
+  if (has_stabiliser(disc)) out.write("S", stabiliser_matrix<D>(disc));
   if (disc.viscosity.nonZeros() > 0) out.write("C", disc.viscosity);
 
   InitialState<D> initial = build_initial<D>(scene, disc);

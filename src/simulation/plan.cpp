@@ -108,6 +108,10 @@ std::string plan_in(const Scene& scene) {
                         D == 1 ? "gradient" : "gradient, all directions together");
   text += operator_line("D", disc.divergence.rows(), disc.divergence.cols(),
                         disc.divergence.nonzeros(), disc.adjoint ? "force, -G'V" : "force, V X");
+  if (!disc.hourglass.empty())
+    text += operator_line("A", disc.gradient.rows(), disc.gradient.cols(),
+                          static_cast<Index>(disc.hourglass.weights.size()),
+                          "stabiliser, as stiffness A'KA");
   if (disc.stiffness.nonZeros() > 0)
     text += operator_line("S", disc.stiffness.rows(), disc.stiffness.cols(),
                           disc.stiffness.nonZeros(), "stabiliser, as stiffness");

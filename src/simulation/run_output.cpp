@@ -164,6 +164,7 @@ std::span<const double> RunOutput<D>::field(const std::string& name, const Discr
   out.clear();
   if (quantity == Quantity::velocity || quantity == Quantity::acceleration) {
     const double kick = 0.5 * (state.last_dt + dt);
+    out.reserve(static_cast<std::size_t>(state.v.size()));
     for (Index dof = 0; dof < state.v.size(); ++dof) {
       const double before = state.v.data()[dof];
       const double after = next_velocity<D>(disc, state, dt, dof);
@@ -172,6 +173,8 @@ std::span<const double> RunOutput<D>::field(const std::string& name, const Discr
     }
     return out;
   }
+  const bool scalar = quantity == Quantity::pressure || quantity == Quantity::von_mises;
+  out.reserve(static_cast<std::size_t>(disc.points.size() * (scalar ? 1 : D * D)));
   for (Index s = 0; s < disc.points.size(); ++s) {
     const Tensor<D> H = tensor_at<D>(state.H, s);
     const StressMeasures<D> stress =
@@ -195,6 +198,7 @@ void RunOutput<D>::write_frame(const Discretisation<D>& disc, const State<D>& st
   for (const FrameField& entry : layout_.fields)
     fields.push_back(field(entry.name, disc, state, dt));
   run_file_->write_frame(state.time, fields);
+  scratch_.clear();  // rather than keep a field that is wanted once in many steps
   write_xdmf(directory_ / "run.xdmf", layout_, run_file_->frame_times());
 }
 

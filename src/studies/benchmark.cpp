@@ -158,7 +158,7 @@ BenchmarkRow measure(const Case& entry, const BenchmarkOptions& options,
     row.plain_ns = timed(0.5 * options.seconds, [&] { plain.step(dt); })[0] * 1e9 / particles;
   }
   const double entries = static_cast<double>(disc.gradient.nonzeros()) / particles;
-  const double modes = disc.cell_modulus.size() > 0 ? 1.0 : 0.0;
+  const double modes = disc.hourglass.empty() ? 0.0 : 1.0;
   const double points = static_cast<double>(disc.points.size()) / particles;
   row.multiply_adds =
       2.0 * entries * (D + modes) * D + points * law_work(scene.materials.front().law, D) + 2.0 * D;

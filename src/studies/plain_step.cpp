@@ -2,10 +2,13 @@
 
 #include <variant>
 
+#include "tlsph/dynamics/stabiliser_forces.hpp"
+
 namespace tlsph {
 
 template <int D>
-PlainStep<D>::PlainStep(const Discretisation<D>& disc, const VectorField<D>& u) : disc_(disc) {
+PlainStep<D>::PlainStep(const Discretisation<D>& disc, const VectorField<D>& u)
+    : disc_(disc), stabiliser_(stabiliser_matrix<D>(disc)) {
   for (int a = 0; a < D; ++a) {
     gradient_.push_back(disc.gradient.matrix(a));
     divergence_.push_back(disc.divergence.matrix(a));
@@ -35,7 +38,7 @@ void PlainStep<D>::step(double dt) {
     Eigen::VectorXd& f = f_[at(i)];
     f.noalias() = divergence_[0] * P_[at(i * D)];
     for (int a = 1; a < D; ++a) f.noalias() += divergence_[at(a)] * P_[at(i * D + a)];
-    if (disc_.stiffness.nonZeros() > 0) f.noalias() -= disc_.stiffness * u_[at(i)];
+    if (stabiliser_.nonZeros() > 0) f.noalias() -= stabiliser_ * u_[at(i)];
     for (Index q = 0; q < disc_.nodes(); ++q) {
       v_[at(i)][q] += dt * disc_.inverse_mass(q, i) * f[q];
       u_[at(i)][q] += dt * v_[at(i)][q];

@@ -16,6 +16,7 @@
 #include "tlsph/boundary/ghosts.hpp"
 #include "tlsph/materials/any_law.hpp"
 #include "tlsph/operators/consistency.hpp"
+#include "tlsph/operators/stabilisers.hpp"
 #include "tlsph/operators/vector_operator.hpp"
 #include "tlsph/particles/particles.hpp"
 
@@ -39,9 +40,10 @@ struct Discretisation {
   VectorOperator<D> divergence;                     ///< D, N×M [m^(d−1)]
   bool adjoint = true;                              ///< D = −Gᵀ V_s
   std::optional<ConsistencyResiduals> consistency;  ///< of a corrected gradient
-  SparseMatrix stiffness;  ///< S, N×N [N/m per thickness], 0×0 if off; same for all components
-  /// κ of each cell [Pa] where S is the cell stabiliser Aᵀ diag(κ) A; empty otherwise.
-  ScalarField cell_modulus;
+  /// S, N×N [N/m per thickness], same for all components; 0×0 if off, or held as `hourglass`
+  /// (dynamics/stabiliser_forces.hpp knows both).
+  SparseMatrix stiffness;
+  HourglassModes hourglass;                        ///< the cell stabiliser as stiffness, or empty
   SparseMatrix viscosity;                          ///< C, N×N [kg/s], 0×0 if off
   std::shared_ptr<const GhostGradient<D>> ghosts;  ///< replaces G in the `thesis` formulation
 

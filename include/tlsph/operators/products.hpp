@@ -21,4 +21,8 @@ void multiply_differences(const SparseMatrix& A, const VectorField<D>& x, Vector
 template <int D>
 void subtract_differences(const SparseMatrix& A, const VectorField<D>& x, VectorField<D>& y);
 
+/// One row of it, y_p, summed in the same order.
+template <int D>
+[[nodiscard]] Vector<D> differences_row(const SparseMatrix& A, Index p, const VectorField<D>& x);
+
 }  // namespace tlsph

@@ -43,10 +43,12 @@ struct RowStorage {
 
 /// Rows whose relative columns are the same and whose weights differ by at most `tolerance` of the
 /// largest in the row are one stencil, with the weights of the first of them; a stencil that serves
-/// fewer than four rows is none. `weights` holds `stride` numbers an entry of the pattern.
-/// O(entries): a row is compared with a bounded number of stencils.
+/// fewer than four rows is none. `weights` holds `stride` numbers an entry of the pattern;
+/// `further`, where it is not empty, one more, which stencils hold behind those. O(entries): a row
+/// is compared with a bounded number of stencils.
 [[nodiscard]] RowStorage share_rows(const Neighbours& pattern, std::span<const double> weights,
-                                    int stride, double tolerance = 0.0);
+                                    int stride, double tolerance = 0.0,
+                                    std::span<const double> further = {});
 
 /// Gives every row of a run exactly the weights of its stencil, which makes rows that differ by the
 /// rounding of their positions equal to the last bit.

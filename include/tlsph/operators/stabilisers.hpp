@@ -13,6 +13,8 @@
 /// rectangles bend exactly; pairs 0.1 μ as stiffness; as viscosity 0.2 ρ c_p Δ, 0.1 ρ c_p Δ beside
 /// gradients of order two, about where the critical step begins to feel it.
 
+#include <vector>
+
 #include "tlsph/operators/vector_operator.hpp"
 #include "tlsph/particles/particles.hpp"
 
@@ -33,6 +35,19 @@ template <int D>
 /// h = (1, −1, 1, −1) around the cell; γ·u is the hourglass amplitude of a quadrilateral.
 [[nodiscard]] SparseMatrix hourglass_rows(const Particles<2>& particles,
                                           const VectorOperator<2>& gradient);
+
+/// The weights γ of those rows, entry by entry as the gradient stores its own.
+[[nodiscard]] std::vector<double> hourglass_weights(const Particles<2>& particles,
+                                                    const VectorOperator<2>& gradient);
+
+/// The cell stabiliser S = Aᵀ diag(κ) A, held by the rows it is made of and never multiplied out: a
+/// third of the memory, and a direction more of G and D to whoever multiplies by those.
+struct HourglassModes {
+  std::vector<double> weights;  ///< A, entry by entry as those of the gradient
+  ScalarField modulus;          ///< κ of each cell [Pa]
+
+  [[nodiscard]] bool empty() const { return weights.empty(); }
+};
 
 /// Aᵀ diag(κ) A for rows A; κ [Pa] a value per cell.
 [[nodiscard]] SparseMatrix normal_matrix(const SparseMatrix& rows, const ScalarField& kappa);

@@ -56,7 +56,7 @@ class VectorOperator {
   /// Rows scaled: diag(s) · this.
   [[nodiscard]] VectorOperator row_scaled(const ScalarField& scale) const;
   /// The same with rows that differ by rounding only made equal (operators/row_storage.hpp).
-  [[nodiscard]] VectorOperator with_shared_rows(double tolerance) const;
+  [[nodiscard]] VectorOperator with_shared_rows(double tolerance) &&;
   /// Bytes of indices and weights.
   [[nodiscard]] std::size_t bytes() const;
 

@@ -23,6 +23,7 @@ class PlainStep {
   static std::size_t at(int k) { return static_cast<std::size_t>(k); }
   const Discretisation<D>& disc_;
   std::vector<SparseMatrix> gradient_, divergence_;  // a direction each
+  SparseMatrix stabiliser_;                          // as stiffness, multiplied out
   std::vector<Eigen::VectorXd> u_, v_, f_;           // a component each
   std::vector<Eigen::VectorXd> H_, P_;               // component i and direction a at i*D + a
 };

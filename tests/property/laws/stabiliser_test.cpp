@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "property/bodies.hpp"
+#include "tlsph/dynamics/stabiliser_forces.hpp"
 
 namespace tlsph::property {
 namespace {
@@ -18,9 +19,9 @@ class StabiliserLaws : public testing::TestWithParam<Variant> {
                                         "stabiliser.as=" + action}),
                   [&](const auto& disc) {
                     const bool stiff = action == "stiffness";
-                    const Eigen::MatrixXd S = stiff ? disc.stiffness : disc.viscosity;
+                    const Eigen::MatrixXd S = stiff ? stabiliser_matrix(disc) : disc.viscosity;
                     ASSERT_EQ(S.rows(), disc.nodes());
-                    ASSERT_EQ((stiff ? disc.viscosity : disc.stiffness).nonZeros(), 0);
+                    ASSERT_EQ(stiff ? disc.viscosity.nonZeros() > 0 : has_stabiliser(disc), false);
                     use(disc, S);
                   });
     }
@@ -49,6 +50,27 @@ TEST_P(StabiliserLaws, IsPositiveSemiDefinite) {
     EXPECT_GE(values.minCoeff(), -1e-13 * values.maxCoeff());
     EXPECT_GT(values.maxCoeff(), 0.0);
   });
+}
+
+/// Forces, one row of them and the energy are those of the matrix, however it is held.
+TEST_P(StabiliserLaws, ActsAsItsMatrix) {
+  discretised(scene_of(GetParam(), as_stiffness(GetParam().stabiliser())),
+              []<int D>(const Discretisation<D>& disc) {
+                Random random(5);
+                const VectorField<D> u = random.field<D>(disc.nodes(), 1.0);
+                const Eigen::MatrixXd S = stabiliser_matrix<D>(disc);
+                const Eigen::MatrixXd expected = S * u;
+                VectorField<D> force = VectorField<D>::Zero(disc.nodes(), D);
+
+                subtract_stabiliser<D>(disc, u, force);
+
+                const double scale = expected.cwiseAbs().maxCoeff();
+                EXPECT_LE((force + expected).cwiseAbs().maxCoeff(), 1e-13 * scale);
+                for (Index q = 0; q < disc.nodes(); ++q)
+                  EXPECT_EQ(stabiliser_row<D>(disc, q, u), Vector<D>(-force.row(q).transpose()));
+                const double energy = 0.5 * u.cwiseProduct(VectorField<D>(expected)).sum();
+                EXPECT_NEAR(stabiliser_energy<D>(disc, u), energy, 1e-13 * energy);
+              });
 }
 
 /// With the stabiliser as stiffness nothing but a rigid motion is free of energy.

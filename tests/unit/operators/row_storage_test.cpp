@@ -90,5 +90,27 @@ TEST(SharedValues, BecomeTheFirstOfThem) {
   EXPECT_EQ(shared[4], 2.0 + 1e-3);
 }
 
+TEST(RowStorage, HoldsAFurtherNumberBehindTheOthers) {
+  const Differences of(10, 0.0, 0.5);
+  const std::vector<double> further(of.weights.size(), 7.0);
+
+  const RowStorage storage = share_rows(of.pattern, of.weights, 1, 0.0, further);
+
+  EXPECT_EQ(storage.stride, 2);
+  EXPECT_EQ(storage.weight, (std::vector<double>{-2.0, 7.0, 2.0, 7.0}));
+}
+
+TEST(RowStorage, TellsRowsApartByTheFurtherNumberAlone) {
+  const Differences of(10, 0.0, 0.5);
+  std::vector<double> further(of.weights.size(), 7.0);
+  for (std::size_t row = 5; row < 10; ++row) further[2 * row + 1] = 8.0;
+
+  const RowStorage storage = share_rows(of.pattern, of.weights, 1, 0.0, further);
+
+  ASSERT_EQ(storage.runs.size(), 2U);
+  EXPECT_EQ(storage.runs[1].first, 5);
+  EXPECT_EQ(storage.weight, (std::vector<double>{-2.0, 7.0, 2.0, 7.0, -2.0, 7.0, 2.0, 8.0}));
+}
+
 }  // namespace
 }  // namespace tlsph
