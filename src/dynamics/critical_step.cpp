@@ -5,6 +5,7 @@
 #include <complex>
 
 #include "tlsph/core/error.hpp"
+#include "tlsph/core/parallel.hpp"
 #include "tlsph/dynamics/linearised.hpp"
 #include "tlsph/linear/krylov.hpp"
 #include "tlsph/operators/products.hpp"
@@ -27,16 +28,19 @@ class Linearised {
 
   /// y = M^-½ (k K + c C) M^-½ x.
   void symmetric(double k, double c, const Eigen::VectorXd& x, Eigen::VectorXd& y) {
-    Eigen::Map<Eigen::VectorXd>(x_.data(), size()) =
-        Eigen::Map<const Eigen::VectorXd>(root_.data(), size()).cwiseProduct(x);
+    const double* root = root_.data();
+    for_rows(size(),
+             [=, from = x.data(), to = x_.data()](Index dof) { to[dof] = root[dof] * from[dof]; });
     forces_.product(x_, y_);
-    y_ *= k;
     if (c != 0.0) {
+      y_ *= k;
       x_ *= c;
       subtract_differences<D>(disc_.viscosity, x_, y_);
+      k = 1.0;
     }
-    y = -Eigen::Map<const Eigen::VectorXd>(root_.data(), size())
-             .cwiseProduct(Eigen::Map<const Eigen::VectorXd>(y_.data(), size()));
+    for_rows(size(), [=, from = y_.data(), to = y.data()](Index dof) {
+      to[dof] = -(root[dof] * (k * from[dof]));
+    });
   }
   /// y = M⁻¹ K x on the free degrees of freedom.
   void general(const Eigen::VectorXd& x, Eigen::VectorXd& y) {

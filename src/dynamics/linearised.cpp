@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "tangent_pass.hpp"
 #include "tlsph/core/parallel.hpp"
 #include "tlsph/dynamics/stabiliser_forces.hpp"
 
@@ -18,9 +19,11 @@ constexpr Index worth_a_sweep = 10'000;
 template <int D>
 LinearisedForces<D>::LinearisedForces(const Discretisation<D>& disc, const State<D>& state)
     : disc_(disc), state_(state), zero_(disc.signals.size(), 0.0) {
-  const bool undeformed = (state.H.array() == 0.0).all();
-  if (undeformed && disc.nodes() >= worth_a_sweep && Sweep<D>::possible(disc) &&
-      disc.viscosity.nonZeros() == 0) {
+  if (disc.nodes() >= worth_a_sweep && Sweep<D>::possible(disc) && disc.viscosity.nonZeros() == 0) {
+    if (!disc.linear() && !(state.H.array() == 0.0).all()) {
+      pass_ = std::make_unique<sweep::TangentPass<D>>(disc, state);
+      return;
+    }
     SweepOptions options;
     options.threads = omp_get_max_threads();
     options.linearised = true;
@@ -33,14 +36,19 @@ LinearisedForces<D>::LinearisedForces(const Discretisation<D>& disc, const State
 }
 
 template <int D>
+LinearisedForces<D>::~LinearisedForces() = default;
+
+template <int D>
 void LinearisedForces<D>::product(const VectorField<D>& x, VectorField<D>& force) {
   if (sweep_) {
     moved_.u = x;
+    moved_.f.swap(force);  // all of it is written
     moved_.f.resizeLike(x);
     sweep_->evaluate(moved_);
-    force = moved_.f;
+    moved_.f.swap(force);
     return;
   }
+  if (pass_) return pass_->product(x, force);
   if (disc_.ghosts)
     disc_.ghosts->apply(x, zero_, H_, workspace_);
   else

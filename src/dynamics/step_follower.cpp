@@ -62,7 +62,7 @@ double unit_stiffness(const Discretisation<D>& disc) {
   typename GhostGradient<D>::Workspace workspace;
   if (disc.ghosts) workspace = disc.ghosts->workspace();
   const std::vector<double> zero(disc.signals.size(), 0.0);
-  const VectorField<D> root = disc.inverse_mass.cwiseSqrt();
+  const auto root = disc.inverse_mass.cwiseSqrt();  // an expression: no field of its own
   const auto product = [&](const Eigen::VectorXd& in, Eigen::VectorXd& out) {
     x = Eigen::Map<const VectorField<D>>(in.data(), disc.nodes(), D).cwiseProduct(root);
     if (disc.ghosts)
@@ -71,8 +71,7 @@ double unit_stiffness(const Discretisation<D>& disc) {
       disc.gradient.gradient(x, H);
     for (const SignalTerm& term : disc.stress_values) H.data()[term.slot] = 0.0;
     disc.divergence.divergence(H, y);
-    out = -Eigen::Map<const Eigen::VectorXd>(y.data(), y.size())
-               .cwiseProduct(Eigen::Map<const Eigen::VectorXd>(root.data(), root.size()));
+    Eigen::Map<VectorField<D>>(out.data(), disc.nodes(), D) = -y.cwiseProduct(root);
   };
   if (disc.adjoint)
     return largest_eigenvalue(product, x.size(), {.max_steps = 200, .tolerance = 1e-3}).upper_bound;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <random>
 #include <stdexcept>
 
@@ -21,11 +22,27 @@ Eigen::VectorXd random_unit_vector(Index n, std::uint64_t seed) {
   std::mt19937_64 bits(seed);
   Eigen::VectorXd v(n);
   for (double& entry : v) entry = std::ldexp(static_cast<double>(bits() >> 11), -52) - 1.0;
-  return v / v.norm();
+  v /= v.norm();
+  return v;
 }
 
-void require_finite(const Eigen::VectorXd& y) {
-  if (!y.allFinite()) {
+/// Entries of a chunk: sums are made chunk by chunk and those added in their order, so that they do
+/// not depend on the number of threads.
+constexpr Index chunk = 8192;
+
+/// Σ part(first, count) over the chunks of n entries.
+template <class Part>
+double sum_chunks(Index n, std::vector<double>& parts, const Part& part) {
+  const Index chunks = (n + chunk - 1) / chunk;
+  parts.resize(static_cast<std::size_t>(chunks));
+#pragma omp parallel for schedule(static) if (chunks > 1)
+  for (Index c = 0; c < chunks; ++c)
+    parts[static_cast<std::size_t>(c)] = part(c * chunk, std::min(chunk, n - c * chunk));
+  return std::accumulate(parts.begin(), parts.end(), 0.0);
+}
+
+void require_finite(bool finite) {
+  if (!finite) {
     throw NumericalError("eigenvalue estimate: the operator gave a value that is not finite", 0.0,
                          -1);
   }
@@ -88,17 +105,24 @@ LanczosResult largest_eigenvalue(const LinearMap& symmetric, Index n,
   Eigen::VectorXd w(n);
   std::vector<double> alpha;
   std::vector<double> beta;
+  std::vector<double> parts;
   LanczosResult result;
   // A V = V T + β_k v_{k+1} e_kᵀ, T tridiagonal: w = A v_k − α_k v_k − β_{k−1} v_{k−1}.
   double scale = 0.0;
   while (result.steps < options.max_steps) {
     symmetric(v, w);
-    require_finite(w);
     ++result.steps;
-    if (!beta.empty()) w -= beta.back() * previous;
-    alpha.push_back(w.dot(v));
-    w -= alpha.back() * v;
-    const double next = w.norm();
+    alpha.push_back(sum_chunks(n, parts, [&](Index first, Index count) {
+      auto part = w.segment(first, count);
+      if (!beta.empty()) part -= beta.back() * previous.segment(first, count);
+      return part.dot(v.segment(first, count));
+    }));
+    const double next = std::sqrt(sum_chunks(n, parts, [&](Index first, Index count) {
+      auto part = w.segment(first, count);
+      part -= alpha.back() * v.segment(first, count);
+      return part.squaredNorm();
+    }));
+    require_finite(std::isfinite(next));
 
     scale = std::max({scale, std::abs(alpha.back()), next});
     const bool closed = next <= rounding * scale;  // the Krylov space is invariant: θ is exact
@@ -113,7 +137,10 @@ LanczosResult largest_eigenvalue(const LinearMap& symmetric, Index n,
 
     beta.push_back(next);
     previous.swap(v);
-    v = w / next;
+    sum_chunks(n, parts, [&](Index first, Index count) {
+      v.segment(first, count) = w.segment(first, count) / next;
+      return 0.0;
+    });
   }
   result.upper_bound = result.value + result.residual;
   return result;
@@ -132,7 +159,7 @@ std::vector<std::complex<double>> arnoldi_eigenvalues(const LinearMap& map, Inde
   while (k < most) {
     x = V.col(k);
     map(x, w);
-    require_finite(w);
+    require_finite(w.allFinite());
     const double length = w.norm();
     // Gram–Schmidt twice is enough to be orthogonal to rounding (Kahan and Parlett).
     for (int pass = 0; pass < 2; ++pass) {

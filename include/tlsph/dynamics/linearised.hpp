@@ -4,6 +4,7 @@
 /// run's own operators. Who wants its extremes multiplies by it (critical_step.hpp); who wants the
 /// whole spectrum of a small body asks for the matrix.
 
+#include <memory>
 #include <optional>
 
 #include "tlsph/dynamics/state.hpp"
@@ -11,12 +12,19 @@
 
 namespace tlsph {
 
+namespace sweep {
+template <int D>
+class TangentPass;
+}  // namespace sweep
+
 template <int D>
 class LinearisedForces {
  public:
-  /// Both must outlive this; products follow changes of `state.H`, unless it is zero and the body
-  /// large: then they are those of that state, made by sweeps.
+  /// Both must outlive this, and `state.H` must stay as it is.
   LinearisedForces(const Discretisation<D>& discretisation, const State<D>& state);
+  LinearisedForces(const LinearisedForces&) = delete;
+  LinearisedForces& operator=(const LinearisedForces&) = delete;
+  ~LinearisedForces();
 
   /// −K x = D (A : G x) − S x, the change of the forces with a displacement x (N×d) [N per
   /// thickness]. Signals do not change.
@@ -36,7 +44,8 @@ class LinearisedForces {
   const Discretisation<D>& disc_;
   const State<D>& state_;
   TensorField<D> H_;
-  std::optional<Sweep<D>> sweep_;  // of large undeformed bodies, a tenth of the price
+  std::optional<Sweep<D>> sweep_;                // of large undeformed bodies, a tenth of the price
+  std::unique_ptr<sweep::TangentPass<D>> pass_;  // of large deformed ones, a quarter of it
   State<D> moved_;
   std::vector<double> zero_;
   typename GhostGradient<D>::Workspace workspace_;

@@ -57,11 +57,39 @@ class NeoHookean {
   /// dP = μ dH + (μ − p) F⁻ᵀ dHᵀ F⁻ᵀ + p' (F⁻ᵀ : dH) F⁻ᵀ, p = λ ln J and p' its derivative to ln J
   /// in the model's directions, the free ones condensed out.
   [[nodiscard]] Tensor<D> dpk1(const Tensor<D>& H, const Tensor<D>& dH) const {
+    if constexpr (D == 2) return dpk1(plane_tangent(H), H, dH);
     const double e = volume_change<D>(H);
     const Volume volume = volume_at(log_volume(e));
     const Tensor<D> inverse = cofactor<D>(deformation_gradient<D>(H)) * (1 / (1 + e));  // F⁻ᵀ
     return mu_ * dH + (mu_ - volume.pressure) * (inverse * dH.transpose() * inverse) +
            volume.stiffness * inverse.cwiseProduct(dH).sum() * inverse;
+  }
+
+  /// What of `dpk1` in the plane takes a logarithm and a division: (μ − p)/J and (μ − p + p')/J².
+  struct PlaneTangent {
+    double turned, along;
+  };
+  [[nodiscard]] PlaneTangent plane_tangent(const Tensor<D>& H) const requires(D == 2) {
+    const double e = volume_change<D>(H);
+    const double inverse = 1 / (1 + e);
+    const Volume volume = volume_at(log_volume(e));
+    const double excess = mu_ - volume.pressure;
+    return {excess * inverse, (excess + volume.stiffness) * inverse * inverse};
+  }
+
+  /// In the plane the cofactor is linear, so that with c = cof F = J F⁻ᵀ
+  /// dP = μ dH − (μ − p)/J cof dH + (μ − p + p')/J² (c : dH) c. Component by component, as `pk1`.
+  [[nodiscard]] Tensor<D> dpk1(const PlaneTangent& at, const Tensor<D>& H,
+                               const Tensor<D>& dH) const requires(D == 2) {
+    const double c[4] = {1 + H(1, 1), -H(1, 0), -H(0, 1), 1 + H(0, 0)};
+    const double along =
+        at.along * (c[0] * dH(0, 0) + c[1] * dH(0, 1) + c[2] * dH(1, 0) + c[3] * dH(1, 1));
+    Tensor<D> dP;
+    dP(0, 0) = mu_ * dH(0, 0) - at.turned * dH(1, 1) + along * c[0];
+    dP(0, 1) = mu_ * dH(0, 1) + at.turned * dH(1, 0) + along * c[1];
+    dP(1, 0) = mu_ * dH(1, 0) + at.turned * dH(0, 1) + along * c[2];
+    dP(1, 1) = mu_ * dH(1, 1) - at.turned * dH(0, 0) + along * c[3];
+    return dP;
   }
 
   /// The matrix of `dpk1`, for the price of one of its columns.

@@ -34,12 +34,35 @@ class StVenantKirchhoff {
     return S + H * S;
   }
 
-  /// dP = dH S + F dS, dS from dE = sym(Fᵀ dH).
+  /// dP = dH S + F dS, dS from dE = sym(Fᵀ dH). Component by component: fixed-size matrix
+  /// expressions go through memory here and take twice as long.
   [[nodiscard]] Tensor<D> dpk1(const Tensor<D>& H, const Tensor<D>& dH) const {
-    const Tensor<D> F = deformation_gradient<D>(H);
-    const Tensor<D> half = F.transpose() * dH;
-    const Tensor<D> dS = stress(0.5 * (half + half.transpose()));
-    return dH * stress(green_lagrange<D>(H)) + F * dS;
+    double E[D][D], dE[D][D];
+    double trace = 0.0, change = 0.0;
+    for (int a = 0; a < D; ++a)
+      for (int b = a; b < D; ++b) {
+        double sum = H(a, b) + H(b, a);
+        double dsum = dH(a, b) + dH(b, a);
+        for (int i = 0; i < D; ++i) {
+          sum += H(i, a) * H(i, b);
+          dsum += H(i, a) * dH(i, b) + dH(i, a) * H(i, b);
+        }
+        E[a][b] = E[b][a] = 0.5 * sum;
+        dE[a][b] = dE[b][a] = 0.5 * dsum;
+        if (a == b) {
+          trace += E[a][a];
+          change += dE[a][a];
+        }
+      }
+    Tensor<D> dP;
+    for (int i = 0; i < D; ++i)
+      for (int a = 0; a < D; ++a) {
+        double sum = lambda_ * (trace * dH(i, a) + change * ((i == a ? 1.0 : 0.0) + H(i, a))) +
+                     2 * mu_ * dE[i][a];
+        for (int b = 0; b < D; ++b) sum += 2 * mu_ * (dH(i, b) * E[b][a] + H(i, b) * dE[b][a]);
+        dP(i, a) = sum;
+      }
+    return dP;
   }
 
   [[nodiscard]] Tangent<D> tangent(const Tensor<D>& H) const {

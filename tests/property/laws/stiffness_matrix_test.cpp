@@ -2,6 +2,7 @@
 
 #include "tlsph/dynamics/stiffness_matrix.hpp"
 #include "property/bodies.hpp"
+#include "tlsph/dynamics/linearised.hpp"
 
 namespace tlsph::property {
 namespace {
@@ -45,6 +46,69 @@ TEST_P(StiffnessMatrix, FollowsTheTangent) {
       });
 }
 
+/// Bodies of more than ten thousand particles, whose products are made by the loops of a sweep.
+struct LargeBody {
+  std::string name;
+  Variant variant;
+  std::vector<std::string> overrides;
+};
+
+void PrintTo(const LargeBody& body, std::ostream* out) {
+  *out << body.name;
+}
+
+std::vector<LargeBody> large_bodies() {
+  const std::string neo = "material.law=neo-hookean";
+  const Variant cells{"box", "stress-point", "", "", ""};
+  const Variant quads{"jittered", "stress-point", "", "", ""};
+  const Variant nodes{"hole", "variational", "gradient", "wendland-c2", "2.5"};
+  const Variant bar{"interval", "stress-point", "", "", ""};
+  return {{"cells", cells, {neo, "body.spacing=0.001"}},
+          {"stiffened", cells, {neo, "body.spacing=0.001", "stabiliser.kind=cell"}},
+          {"quads", quads, {neo, "body.spacing=0.001", "stabiliser.kind=cell"}},
+          {"two_laws", cells, {neo, "body.spacing=0.001", "stabiliser.kind=cell"}},
+          {"plane_stress",
+           cells,
+           {neo, "material.assumption=stress", "body.spacing=0.001", "stabiliser.kind=cell"}},
+          {"nodes", nodes, {neo, "body.spacing=0.0012", "stabiliser.kind=pair"}},
+          {"bar", bar, {neo, "body.spacing=0.00004"}}};
+}
+
+/// Every fourth run of seven points of another law.
+template <int D>
+void mix_in_another_law(Discretisation<D>& disc) {
+  disc.regions.push_back({make_law<D>(LawName::st_venant_kirchhoff, Assumption::strain, young, 0.2),
+                          2.0 * density,
+                          {}});
+  for (int s = 0; s < disc.points.size(); ++s)
+    disc.regions[s / 7 % 4 == 0 ? 1 : 0].points.push_back(s);
+}
+
+class LargeBodies : public testing::TestWithParam<LargeBody> {};
+
+TEST_P(LargeBodies, HaveTheProductsOfTheirStiffnessMatrix) {
+  discretised(
+      scene_of(GetParam().variant, GetParam().overrides), []<int D>(Discretisation<D> disc) {
+        ASSERT_GE(disc.nodes(), 10'000);
+        if (GetParam().name == "two_laws") mix_in_another_law<D>(disc);
+        Random random(21);
+        const State<D> at = evaluated<D>(disc, deformed<D>(disc, random));
+        const VectorField<D> du = random.field<D>(disc.nodes(), 1.0);
+        const Eigen::VectorXd expected = -(stiffness_matrix<D>(disc, at.H) *
+                                           Eigen::Map<const Eigen::VectorXd>(du.data(), du.size()));
+        LinearisedForces<D> forces(disc, at);
+        VectorField<D> product = VectorField<D>::Zero(disc.nodes(), D);
+
+        forces.product(du, product);
+
+        EXPECT_LE((Eigen::Map<const Eigen::VectorXd>(product.data(), product.size()) - expected)
+                      .cwiseAbs()
+                      .maxCoeff(),
+                  1e-12 * expected.cwiseAbs().maxCoeff());
+      });
+}
+
+INSTANTIATE_TEST_SUITE_P(, LargeBodies, testing::ValuesIn(large_bodies()), ByName());
 INSTANTIATE_TEST_SUITE_P(, StiffnessMatrix, testing::ValuesIn(adjoint_variants()), ByName());
 
 }  // namespace
