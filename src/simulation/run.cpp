@@ -66,7 +66,6 @@ Summary run_in(const Scene& scene, const RunOptions& options) {
   const auto disc = build<D>(scene);
   if (options.threads == 0 && disc.nodes() < one_thread_below) omp_set_num_threads(1);
   Summary summary;
-  summary.threads = omp_get_max_threads();
   describe<D>(scene, disc, summary);
   summary.wall_setup = setup.seconds();
   const auto write = [&] {

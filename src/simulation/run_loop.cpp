@@ -44,9 +44,13 @@ RunLoop<D>::RunLoop(const Scene& scene, const RunOptions& options, const Discret
 
 template <int D>
 void RunLoop<D>::plan_sweep(Summary& summary) {
-  if (!Sweep<D>::possible(disc_)) return;
   SweepOptions options;
   options.threads = worth_threads(disc_.nodes()) ? omp_get_max_threads() : 1;
+  summary.threads = options.threads;
+  if (!Sweep<D>::possible(disc_)) {
+    if (worth_threads(disc_.points.size())) summary.threads = omp_get_max_threads();
+    return;
+  }
   options.single_weights = scene_.precision == Precision::mixed;
   sweep_.emplace(disc_, options);
   summary.storage = sweep_->storage();

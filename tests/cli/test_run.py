@@ -150,8 +150,15 @@ class Results(ProgramTest):
         self.assertIn("spacing = 0.1\n", text)
         self.assertEqual(read_summary(out)["particles"], 11)
 
-    def test_threads(self):
-        self.assertEqual(read_summary(self.run_scene(BAR, "--threads", "2"))["threads"], 2)
+    def test_threads_are_those_that_step(self):
+        # 121 particles are not worth a second thread, 2601 are
+        fine = ("--set", "body.spacing=0.02", "--set", "time.end=1e-3")
+        for overrides, expected in (((), 1), (fine, 2)):
+            with self.subTest(overrides):
+                out = self.run_scene(SHEET, "--threads", "2", *overrides)
+                self.assertEqual(read_summary(out)["threads"], expected)
+        thesis = ("--set", "formulation=thesis")
+        self.assertEqual(read_summary(self.run_scene(BAR, "--threads", "2", *thesis))["threads"], 1)
 
     def test_storage(self):
         lattice = read_summary(self.run_scene(SHEET))
