@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -25,6 +26,13 @@ namespace {
 /// after the first few hundred: measured on plates of 1e3 to 1e5 particles.
 constexpr double fill = 30.0, first_doublings = 8.3;
 
+/// Whether a run keeps the strains of its last estimate and bound of the critical step.
+bool follows_deformation(const Scene& scene) {
+  return !scene.time.step && std::ranges::any_of(scene.materials, [](const MaterialScene& m) {
+    return m.law != LawKind::linear_elastic;
+  });
+}
+
 }  // namespace
 
 double machine_bytes() {
@@ -41,14 +49,30 @@ double operator_bytes(const Scene& scene, double particles) {
   const bool per_component =
       scene.formulation == Formulation::mirror || scene.formulation == Formulation::thesis;
   const double weights = per_component ? d * d : d;
-  double row = 8.0 + neighbours * (4.0 + 8.0 * weights);
-  if (stress_points && d == 2 && scene.body.is_cloud()) row *= 3.0;  // a point per edge
-  const double stabiliser =
-      scene.stabiliser.kind == StabiliserKind::none ? 0.0 : (d == 1 ? 5.0 : 25.0) * 12.0;
-  const double fields = 8.0 * (8.0 * d + 2.0 * d * d + 4.0);
-  // Set-up holds pattern, weights and transposed at once, and lists of triplets for a stabiliser.
-  const double setup = 2.0 * row + 3.0 * stabiliser + 120.0 * d;
-  return particles * (2.0 * row + stabiliser + fields + setup);
+  // A cloud has a point per edge of its triangles.
+  const double points = stress_points && d == 2 && scene.body.is_cloud() ? 3.0 : 1.0;
+  const double row = 8.0 + points * neighbours * (4.0 + 8.0 * weights);
+  const StabiliserScene& stabiliser = scene.stabiliser;
+  const bool modes =
+      stabiliser.kind == StabiliserKind::cell && stabiliser.action == StabiliserAction::stiffness;
+  double rows_of_stabiliser = 0.0;
+  if (modes)
+    rows_of_stabiliser = 8.0 * (neighbours + 1.0);
+  else if (stabiliser.kind != StabiliserKind::none)
+    rows_of_stabiliser = (d == 1 ? 5.0 : 25.0) * 12.0;
+  const double tensor = 8.0 * d * d * points;
+  const double vector = 8.0 * d;
+  const double body = 2.0 * vector + 8.0 + 4.0 * (1 << d) + points * (vector + 8.0) + vector + 16.0;
+  const double state = 4.0 * vector + 2.0 * tensor;  // u, v, f, C v or a frame's velocity; H, P
+  const double follower = follows_deformation(scene) ? 2.0 * tensor : 0.0;
+  // What comes and goes beside these: at set-up pattern, weights and transposed at once, and lists
+  // of triplets for a stabiliser; in a run six vectors of an eigenvalue's estimate, its
+  // stresses and what it keeps of the tangents.
+  const double setup =
+      cells ? row + 2.0 * rows_of_stabiliser : 2.0 * row + 3.0 * rows_of_stabiliser + 12.0 * vector;
+  const double estimate = 6.0 * vector + tensor + (modes ? vector : 0.0) + 24.0;
+  return particles *
+         (2.0 * row + rows_of_stabiliser + body + std::max(setup, state + follower + estimate));
 }
 
 double correction_bytes(const Scene& scene, double particles) {

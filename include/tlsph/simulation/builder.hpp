@@ -38,7 +38,8 @@ template <int D>
                                            const Discretisation<D>& discretisation);
 
 /// Bytes a run of so many particles needs at its peak, an estimate by formulation and support: of
-/// its operators and fields, and of the factor behind a correction of the gradient.
+/// its operators and fields, those that follow the step of a deforming body included, and of the
+/// factor behind a correction of the gradient.
 [[nodiscard]] double operator_bytes(const Scene& scene, double particles);
 [[nodiscard]] double correction_bytes(const Scene& scene, double particles);
 /// Bytes of memory this machine has.

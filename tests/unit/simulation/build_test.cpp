@@ -244,6 +244,18 @@ TEST(BuildParticles, RefusesABodyThatDoesNotFitIntoMemory) {
   }
 }
 
+/// A law that is not linear keeps two strains a point to follow its step by, unless the step is
+/// given: those of the last estimate and of the last bound.
+TEST(OperatorBytes, CountTheFieldsThatFollowTheStep) {
+  const auto bytes = [](const std::vector<std::string>& overrides) {
+    return operator_bytes(scene_with(overrides), 1e6);
+  };
+  const double linear = bytes({"material.law=linear-elastic"});
+
+  EXPECT_EQ(bytes({"material.law=neo-hookean"}) - linear, 1e6 * 2 * 4 * 8);
+  EXPECT_EQ(bytes({"material.law=neo-hookean", "time.step=1e-6"}), linear);
+}
+
 TEST(BuildInitial, AddsConstantAndGradient) {
   const auto scene =
       scene_with({"initial.velocity={constant=[1.0, 2.0], gradient=[[0.5, 0.0], [-1.0, 2.0]]}"});
