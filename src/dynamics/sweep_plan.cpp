@@ -6,25 +6,6 @@
 namespace tlsph::sweep {
 namespace {
 
-/// Appends the runs of rows [first, last), cut to them; returns where they start.
-Index cut_runs(const std::vector<RowRun>& runs, Index first, Index last, std::vector<RowRun>& to) {
-  const auto start = static_cast<Index>(to.size());
-  auto run = std::upper_bound(runs.begin(), runs.end(), first,
-                              [](Index row, const RowRun& r) { return row < r.first; });
-  if (run != runs.begin()) --run;
-  for (; run != runs.end() && run->first < last; ++run) {
-    const Index from = std::max<Index>(run->first, first);
-    const Index end = std::min<Index>(run->first + run->count, last);
-    if (from >= end) continue;
-    RowRun part = *run;
-    part.first = static_cast<int>(from);
-    part.count = static_cast<int>(end - from);
-    if (run->stencil != no_stencil) part.column += static_cast<int>(from) - run->first;
-    to.push_back(part);
-  }
-  return start;
-}
-
 /// A range of rows that a thread computes in order through a moving window. Those before `early`
 /// and from `late` on read what belongs to other threads.
 struct Stream {
@@ -176,7 +157,7 @@ class Planner {
       task.kind = kind;
       task.first = from;
       task.last = end;
-      task.run = cut_runs(points ? *op_.gradient : *op_.rows, from, end, runs);
+      task.run = append_runs(points ? *op_.gradient : *op_.rows, from, end, runs);
       task.runs = static_cast<Index>(runs.size()) - task.run;
       if (points) {
         task.item = static_cast<Index>(plan_.laws.size());
@@ -240,7 +221,7 @@ class Planner {
     task.kind = Task::Kind::nodes;
     task.first = first;
     task.last = last;
-    task.run = cut_runs(*op_.divergence, first, last, plan_.divergence);
+    task.run = append_runs(*op_.divergence, first, last, plan_.divergence);
     task.runs = static_cast<Index>(plan_.divergence.size()) - task.run;
     const auto from = std::ranges::lower_bound(booked_, first);
     task.item = from - booked_.begin();
@@ -272,7 +253,7 @@ class Planner {
       const bool special = is_special(q);
       Index end = q + 1;
       while (end < task.last && is_special(end) == special) ++end;
-      cut_runs(*op_.divergence, q, end, special ? plan_.special : plan_.free);
+      append_runs(*op_.divergence, q, end, special ? plan_.special : plan_.free);
       q = end;
     }
     task.frees = static_cast<Index>(plan_.free.size()) - task.free;

@@ -133,6 +133,25 @@ RowStorage share_rows(const Neighbours& pattern, std::span<const double> weights
   return storage;
 }
 
+Index append_runs(const std::vector<RowRun>& runs, Index first, Index last,
+                  std::vector<RowRun>& to) {
+  const auto start = static_cast<Index>(to.size());
+  auto run = std::upper_bound(runs.begin(), runs.end(), first,
+                              [](Index row, const RowRun& r) { return row < r.first; });
+  if (run != runs.begin()) --run;
+  for (; run != runs.end() && run->first < last; ++run) {
+    const Index from = std::max<Index>(run->first, first);
+    const Index end = std::min<Index>(run->first + run->count, last);
+    if (from >= end) continue;
+    RowRun part = *run;
+    part.first = static_cast<int>(from);
+    part.count = static_cast<int>(end - from);
+    if (run->stencil != no_stencil) part.column += static_cast<int>(from) - run->first;
+    to.push_back(part);
+  }
+  return start;
+}
+
 void write_shared(const RowStorage& storage, const Neighbours& pattern, std::span<double> weights) {
   for (const RowRun& run : storage.runs) {
     if (run.stencil == no_stencil) continue;

@@ -20,6 +20,7 @@ DOORS = {
     "Eigen": (r"Eigen/", None),
     "fmt": (r"fmt/", None),
     "OpenMP": (r"omp\.h$", None),
+    "vector instructions": (r"immintrin\.h$", {"dynamics"}),
     "POSIX": (r"(unistd|fcntl|spawn)\.h$|sys/", None),
     "toml++": (r"toml", {"scene"}),
     "CLI11": (r"CLI/", {"programs"}),

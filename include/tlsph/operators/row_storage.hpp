@@ -50,6 +50,10 @@ struct RowStorage {
                                     int stride, double tolerance = 0.0,
                                     std::span<const double> further = {});
 
+/// Appends the runs of rows [first, last), cut to them; returns where they start in `to`.
+Index append_runs(const std::vector<RowRun>& runs, Index first, Index last,
+                  std::vector<RowRun>& to);
+
 /// Gives every row of a run exactly the weights of its stencil, which makes rows that differ by the
 /// rounding of their positions equal to the last bit.
 void write_shared(const RowStorage& storage, const Neighbours& pattern, std::span<double> weights);

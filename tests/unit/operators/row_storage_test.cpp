@@ -79,6 +79,24 @@ TEST(RowStorage, TakesNearPlacesAtTheirWord) {
   EXPECT_EQ(shared_row_tolerance(0.0, 1e-3), 1e-11);
 }
 
+TEST(AppendRuns, CutsRunsToTheRowsAndKeepsTheirColumns) {
+  const std::vector<RowRun> runs = {{0, 10, 3, 0}, {10, 5, 0, no_stencil}, {15, 5, 20, 1}};
+  std::vector<RowRun> cut(2);
+
+  EXPECT_EQ(append_runs(runs, 4, 17, cut), 2);
+
+  ASSERT_EQ(cut.size(), 5U);
+  const auto expect = [&](std::size_t k, int first, int count, int column, int stencil) {
+    EXPECT_EQ(cut[k].first, first);
+    EXPECT_EQ(cut[k].count, count);
+    EXPECT_EQ(cut[k].column, column);
+    EXPECT_EQ(cut[k].stencil, stencil);
+  };
+  expect(2, 4, 6, 7, 0);
+  expect(3, 10, 5, 0, no_stencil);
+  expect(4, 15, 2, 20, 1);
+}
+
 TEST(SharedValues, BecomeTheFirstOfThem) {
   ScalarField values(5);
   values << 1.0, 1.0 + 1e-13, 2.0, 1.0 - 1e-13, 2.0 + 1e-3;
