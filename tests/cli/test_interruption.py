@@ -103,6 +103,34 @@ class Pieces(ProgramTest):
 
         self.assertEqual(done.returncode, 2, done.stderr)
 
+    def test_resume_stands_on_the_points_it_began_with(self):
+        square = [f"{x / 4},{y / 4},{'end' if x == 4 else ''}" for x in range(5) for y in range(5)]
+        points = "x,y,tag\n" + "\n".join(square) + "\n"
+        self.write("points.csv", points)
+        self.run_scene(SHEET.replace("spacing = 0.1", 'cloud = "points.csv"'), name="cloud.toml", out="pieces")
+        again = ("run", "cloud.toml", "--out", "pieces", "--quiet", "--resume")
+        for change, changed in {
+            "moved": points.replace("0.5,0.5,", "0.5,0.51,"),
+            "one more": points + "0.6,0.6,\n",
+            "tag": points.replace("1.0,0.25,end", "1.0,0.25,"),
+        }.items():
+            with self.subTest(change):
+                self.assertNotEqual(changed, points)
+                self.write("points.csv", changed)
+                before = {path: path.read_bytes() for path in (self.folder / "pieces").iterdir()}
+
+                done = self.tlsph(*again)
+
+                self.assertEqual(done.returncode, 2, done.stderr)
+                self.assertRegex(done.stderr, r"^cloud\.toml:4:9: body\.cloud: the points of points\.csv are no longer")
+                self.assertIn("run anew without --resume", done.stderr)
+                self.assertEqual({path: path.read_bytes() for path in (self.folder / "pieces").iterdir()}, before)
+
+        self.write("points.csv", "# the same points\n" + points)
+        done = self.tlsph(*again)
+
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+
 
 if __name__ == "__main__":
     unittest.main()
