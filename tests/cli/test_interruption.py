@@ -1,7 +1,6 @@
 """Signals, kill -9 and --resume: a run in pieces is the run in one, bit for bit."""
 
 import signal
-import time
 import unittest
 
 import h5py
@@ -19,13 +18,6 @@ class Pieces(ProgramTest):
     def start_long_run(self):
         self.write("long.toml", LONG)
         return self.start("run", "long.toml", "--out", "pieces", "--threads", "1", "--quiet")
-
-    def wait_for(self, condition, process):
-        limit = time.monotonic() + 120
-        while not condition():
-            self.assertIsNone(process.poll(), "the run ended before it could be interrupted")
-            self.assertLess(time.monotonic(), limit)
-            time.sleep(0.02)
 
     def has_rows(self, count):
         path = self.folder / "pieces/probes.csv"
@@ -55,7 +47,7 @@ class Pieces(ProgramTest):
 
     def test_kill_9(self):
         process = self.start_long_run()
-        self.wait_for(lambda: self.has_checkpoint() and self.has_rows(100), process)
+        self.wait_for(lambda: self.has_checkpoint() and self.has_rows(100), process, "the run")
 
         process.kill()
         process.wait()
@@ -69,7 +61,7 @@ class Pieces(ProgramTest):
 
     def assert_stops_and_goes_on(self, number, code):
         process = self.start_long_run()
-        self.wait_for(lambda: self.has_rows(20), process)
+        self.wait_for(lambda: self.has_rows(20), process, "the run")
 
         process.send_signal(number)
 
@@ -95,7 +87,7 @@ class Pieces(ProgramTest):
 
     def test_resume_of_another_scene_is_bad_input(self):
         process = self.start_long_run()
-        self.wait_for(self.has_checkpoint, process)
+        self.wait_for(self.has_checkpoint, process, "the run")
         process.kill()
         process.wait()
 
