@@ -70,7 +70,7 @@ CsvWriter::CsvWriter(fs::path path, std::size_t columns, int descriptor)
   buffer_.resize(std::max(capacity, columns * widest_value));
 }
 
-CsvWriter::CsvWriter(fs::path path, const std::vector<std::string>& columns)
+CsvWriter::CsvWriter(const fs::path& path, const std::vector<std::string>& columns)
     : CsvWriter(path, columns.size(),
                 ::open(path.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
   if (descriptor_ < 0) output_failed(path_, "create", errno);
@@ -78,7 +78,7 @@ CsvWriter::CsvWriter(fs::path path, const std::vector<std::string>& columns)
   write_all(descriptor_, header.data(), header.size(), path_);
 }
 
-CsvWriter CsvWriter::resume(fs::path path, const std::vector<std::string>& columns,
+CsvWriter CsvWriter::resume(const fs::path& path, const std::vector<std::string>& columns,
                             std::size_t rows) {
   CsvWriter writer(path, columns.size(), ::open(path.c_str(), O_RDWR | O_CLOEXEC));
   if (writer.descriptor_ < 0)

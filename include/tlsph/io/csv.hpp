@@ -16,12 +16,14 @@ namespace tlsph {
 class CsvWriter {
  public:
   /// Starts the table anew: whatever the file held is gone.
-  CsvWriter(std::filesystem::path path, const std::vector<std::string>& columns);
+  CsvWriter(const std::filesystem::path& path, const std::vector<std::string>& columns);
   /// Reopens a table and cuts it after `rows` rows, a last line without its end included. Throws
   /// InputError if the header is not that of `columns` or fewer rows are there.
-  static CsvWriter resume(std::filesystem::path path, const std::vector<std::string>& columns,
-                          std::size_t rows);
+  static CsvWriter resume(const std::filesystem::path& path,
+                          const std::vector<std::string>& columns, std::size_t rows);
   CsvWriter(CsvWriter&& other) noexcept;
+  CsvWriter(const CsvWriter&) = delete;
+  CsvWriter& operator=(const CsvWriter&) = delete;
   CsvWriter& operator=(CsvWriter&&) = delete;
   /// Writes what is buffered; a failure is silent here, so call `close` where it matters.
   ~CsvWriter();

@@ -32,7 +32,7 @@ TEST_F(ConvergeOfProbes, ComparesNeighbouringRuns) {
     EXPECT_NEAR(table.fits[q].finest_error,
                 table.rows[2].errors[q] / (std::pow(2.0, table.fits[q].fit.order) - 1.0), 1e-12);
   }
-  EXPECT_TRUE(std::filesystem::is_regular_file(folder_ / "out/stress-point/0.0125/probes.csv"));
+  EXPECT_TRUE(std::filesystem::is_regular_file(folder / "out/stress-point/0.0125/probes.csv"));
 }
 
 // Probes on the exact solution too: what Richardson says is left must be what is left.
@@ -40,7 +40,7 @@ TEST_F(ConvergeOfProbes, EstimatesTheErrorThatIsLeft) {
   const std::string tip = "[[probe]]\nname = \"tip\"\nat = [1.0]\nrecord = [\"displacement\"]\n";
   const ConvergenceTable table = study(pushed_bar + tip, {0.05, 0.025, 0.0125});
   RunOptions options;
-  options.out = folder_ / "exact";
+  options.out = folder / "exact";
   (void)run(read_scene(write("exact.toml", pushed_bar + tip + with_exact), {"body.spacing=0.0125"}),
             options);
 
@@ -65,7 +65,7 @@ TEST_F(ConvergeOfProbes, ExtrapolatesWhatItReadsOffTheProbes) {
       "[[probe]]\nname = \"tip\"\nat = [1.0]\nrecord = [\"displacement\"]\n";
   ConvergenceRequest read_off = request(ringing, {0.1, 0.05, 0.025});
   ConvergenceOptions options;
-  options.out = folder_ / "out";
+  options.out = folder / "out";
 
   const ConvergenceTable chosen = converge(read_off, options);
   read_off.values = {"tip.displacement_x.period", "tip.displacement_x.end"};
@@ -76,7 +76,7 @@ TEST_F(ConvergeOfProbes, ExtrapolatesWhatItReadsOffTheProbes) {
               ElementsAre("tip.displacement_x.period", "tip.displacement_x.end"));
   ASSERT_EQ(asked.values.size(), 2);
   const double finest = asked.values[1].medians.back();
-  EXPECT_EQ(finest, read_history(folder_ / "out/stress-point/0.025/probes.csv").values[0].back());
+  EXPECT_EQ(finest, read_history(folder / "out/stress-point/0.025/probes.csv").values[0].back());
   EXPECT_EQ(asked.rows[2].values[1], finest);
   EXPECT_THAT(asked.text(), HasSubstr("tip.displacement_x.period"));
 }
@@ -86,7 +86,7 @@ TEST_F(ConvergeOfProbes, ExtrapolatesWhatItReadsOffTheProbes) {
 TEST_F(ConvergeOfProbes, ExtrapolatesHistories) {
   const std::string tip = "[[probe]]\nname = \"tip\"\nat = [1.0]\nrecord = [\"displacement\"]\n";
   RunOptions exact;
-  exact.out = folder_ / "exact";
+  exact.out = folder / "exact";
   (void)run(read_scene(write("exact.toml", pushed_bar + tip + with_exact), {"body.spacing=0.0125"}),
             exact);
 
@@ -99,8 +99,8 @@ TEST_F(ConvergeOfProbes, ExtrapolatesHistories) {
       history.values[0][k] -= truth.values[0][k];
     return std::sqrt(squared_norm(history.time, history.values[0]));
   };
-  EXPECT_LT(error(folder_ / "out/stress-point/probes_extrapolated.csv"),
-            0.2 * error(folder_ / "out/stress-point/0.0125/probes.csv"));
+  EXPECT_LT(error(folder / "out/stress-point/probes_extrapolated.csv"),
+            0.2 * error(folder / "out/stress-point/0.0125/probes.csv"));
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ TEST_F(ConvergeRefuses, WhatIsNoStudy) {
            {pushed_bar + "[[probe]]\nat = [2.0]\n", {0.1, 0.05, 0.025}, {}, "probe"}}) {
     EXPECT_THAT([&] { (void)study(refusal.scene, refusal.spacings, refusal.formulations); },
                 ThrowsMessage<InputError>(HasSubstr(refusal.message)));
-    EXPECT_FALSE(std::filesystem::exists(folder_ / "out")) << refusal.message;
+    EXPECT_FALSE(std::filesystem::exists(folder / "out")) << refusal.message;
   }
 }
 

@@ -25,7 +25,7 @@ class Converge : public StudyFolder {
                          std::vector<std::string> formulations = {},
                          std::vector<std::string> overrides = {}) {
     ConvergenceOptions options;
-    options.out = folder_ / "out";
+    options.out = folder / "out";
     options.threads = 1;
     ConvergenceRequest asked = request(scene, std::move(spacings), std::move(overrides));
     asked.formulations = std::move(formulations);

@@ -62,7 +62,7 @@ TEST_F(Converge, OfSeedsHoldsTheMedianAgainstTheWorst) {
                                         {"body.jitter=0.2", "formulation=consistent"});
   jittered.seeds = {1, 2, 3};
   ConvergenceOptions options;
-  options.out = folder_ / "out";
+  options.out = folder / "out";
 
   const ConvergenceTable table = converge(jittered, options);
 
@@ -85,11 +85,11 @@ TEST_F(Converge, OfSeedsHoldsTheMedianAgainstTheWorst) {
     EXPECT_GE(entry.fit.order, 1.0) << entry.quantity;
     EXPECT_GE(entry.worst_fit.order, 1.0) << entry.quantity;
   }
-  EXPECT_THAT(read(folder_ / "out/convergence.csv"),
+  EXPECT_THAT(read(folder / "out/convergence.csv"),
               HasSubstr(",formulation,body.seed,displacement,"));
-  EXPECT_THAT(read(folder_ / "out/spread.csv"), StartsWith("series,spacing,particles,runs,failed,"
-                                                           "quantity,best,median,worst,"));
-  const Json json = Json::read(folder_ / "out/convergence.json");
+  EXPECT_THAT(read(folder / "out/spread.csv"), StartsWith("series,spacing,particles,runs,failed,"
+                                                          "quantity,best,median,worst,"));
+  const Json json = Json::read(folder / "out/convergence.json");
   EXPECT_EQ(json.list("levels")[2].number("velocity.median"), table.levels[2].errors[1].median);
   EXPECT_EQ(json.list("orders")[1].number("order_worst"), table.fits[1].worst_fit.order);
   EXPECT_THAT(table.text(), HasSubstr("consistent: velocity"));
@@ -101,10 +101,10 @@ TEST_F(Converge, OfSeedsByProbesComparesEachWithItself) {
                                         {"body.jitter=0.2", "formulation=consistent"});
   jittered.seeds = {4};
   ConvergenceOptions options;
-  options.out = folder_ / "one";
+  options.out = folder / "one";
   const ConvergenceTable one = converge(jittered, options);
   jittered.seeds = {7, 4};
-  options.out = folder_ / "two";
+  options.out = folder / "two";
 
   const ConvergenceTable two = converge(jittered, options);
 
@@ -113,17 +113,17 @@ TEST_F(Converge, OfSeedsByProbesComparesEachWithItself) {
     EXPECT_NE(two.rows[2 * k].errors, one.rows[k].errors);
   }
   EXPECT_TRUE(std::isnan(two.levels[2].errors[0].median));
-  EXPECT_TRUE(std::filesystem::is_regular_file(folder_ / "two/consistent/0.1/seed-7/probes.csv"));
+  EXPECT_TRUE(std::filesystem::is_regular_file(folder / "two/consistent/0.1/seed-7/probes.csv"));
 }
 
 TEST_F(Converge, WritesWhatItReturns) {
   const ConvergenceTable table = study(pushed_bar + with_exact, {0.1, 0.05});
 
-  const std::string csv = read(folder_ / "out/convergence.csv");
+  const std::string csv = read(folder / "out/convergence.csv");
   EXPECT_THAT(csv, StartsWith("spacing,particles,steps,dt,wall_seconds,formulation,displacement,"
                               "velocity,stress,order_displacement,order_velocity,order_stress,"
                               "failure\n0.1"));
-  const Json json = Json::read(folder_ / "out/convergence.json");
+  const Json json = Json::read(folder / "out/convergence.json");
   EXPECT_EQ(json.text("method"), "exact");
   const auto rows = json.list("rows");
   ASSERT_EQ(rows.size(), 2);
@@ -160,14 +160,14 @@ TEST_F(Converge, KeepsTheRunsThatDoNotFail) {
 TEST_F(Converge, StopsWhenAsked) {
   const std::atomic<bool> stop{true};
   ConvergenceOptions options;
-  options.out = folder_ / "out";
+  options.out = folder / "out";
   options.stop_requested = &stop;
 
   const ConvergenceTable table = converge(request(pushed_bar + with_exact, {0.1, 0.05}), options);
 
   EXPECT_TRUE(table.interrupted);
   EXPECT_TRUE(table.rows.empty());
-  EXPECT_TRUE(std::filesystem::is_regular_file(folder_ / "out/convergence.csv"));
+  EXPECT_TRUE(std::filesystem::is_regular_file(folder / "out/convergence.csv"));
 }
 
 }  // namespace
