@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Matrices over a lattice and its ghosts, and blocks of them. Not for other rooms.
+/// Matrices over a lattice and its ghosts, and the edges these lie beyond. Not for other rooms.
 
 #include <vector>
 
@@ -68,22 +68,6 @@ void for_edges(const Edges<D>& edges, const LatticeFrame<D>& real, const std::ar
     if (at[b] <= 0) visit(edges[b][0], static_cast<int>(b));
     if (at[b] >= real.counts[b] - 1) visit(edges[b][1], static_cast<int>(b));
   }
-}
-
-inline SparseMatrix block(const SparseMatrix& W, const std::vector<int>& rows,
-                          const std::vector<int>& place, bool inner) {
-  std::vector<Eigen::Triplet<double>> entries;
-  for (std::size_t r = 0; r < rows.size(); ++r)
-    for (SparseMatrix::InnerIterator it(W, rows[r]); it; ++it) {
-      const int column = place[static_cast<std::size_t>(it.col())];
-      if (inner && column >= 0) entries.emplace_back(static_cast<int>(r), column, it.value());
-      if (!inner && column < 0)
-        entries.emplace_back(static_cast<int>(r), static_cast<int>(it.col()), it.value());
-    }
-  const auto n = static_cast<Index>(rows.size());
-  SparseMatrix result(n, inner ? n : W.cols());
-  result.setFromTriplets(entries.begin(), entries.end());
-  return result;
 }
 
 }  // namespace tlsph

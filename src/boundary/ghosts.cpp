@@ -7,21 +7,12 @@
 #include <utility>
 
 #include "ghost_matrices.hpp"
+#include "ghost_system.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/operators/products.hpp"
 
 namespace tlsph {
 namespace {
-
-/// One modified SPH matrix: the values on boundary and ghosts that make W f take the target there.
-struct System {
-  std::string name;
-  int slot = 0;                     ///< column of the field it closes
-  std::vector<int> nodes;           ///< boundary and ghost nodes
-  std::vector<std::size_t> target;  ///< signal at each
-  SparseMatrix coupling;            ///< W_(BG)I, zero on the nodes themselves; 0×0 as printed
-  SymmetricOrGeneral factor;
-};
 
 /// A ghost of one displacement component that is an image of a real node.
 struct Extended {
@@ -50,8 +41,8 @@ struct GhostGradient<D>::Impl {
   SparseMatrix W;
   VectorOperator<D> X;
   std::vector<Extended> extended;
-  std::vector<System> displacement;  ///< slot = component
-  std::vector<System> strain;        ///< slot = component of the gradient
+  std::vector<GhostSystem> displacement;  ///< slot = component
+  std::vector<GhostSystem> strain;        ///< slot = component of the gradient
   std::vector<Eta> etas;
 
   Impl(const LatticeStencil<D>& stencil, const Particles<D>& particles, GhostClosure how)
@@ -61,18 +52,13 @@ struct GhostGradient<D>::Impl {
         W(lattice_kernel<D>(stencil, lattice)),
         X(lattice_gradient<D>(stencil, lattice)) {}
 
-  void add_system(std::vector<System>& systems, const std::string& name, int slot,
+  void add_system(std::vector<GhostSystem>& systems, const std::string& name, int slot,
                   std::vector<int> nodes, std::vector<std::size_t> target, SolverChoice solver,
                   const Place& place) {
     if (nodes.empty()) return;
-    std::vector<int> position(static_cast<std::size_t>(W.rows()), -1);
-    for (std::size_t k = 0; k < nodes.size(); ++k)
-      position[static_cast<std::size_t>(nodes[k])] = static_cast<int>(k);
-    SymmetricOrGeneral factor(block(W, nodes, position, true), solver, place);
-    SparseMatrix coupling;
-    if (closure == GhostClosure::consistent) coupling = block(W, nodes, position, false);
-    systems.push_back(
-        {name, slot, std::move(nodes), std::move(target), std::move(coupling), std::move(factor)});
+    const bool coupled = closure == GhostClosure::consistent;
+    systems.emplace_back(W, name, slot, std::move(nodes), std::move(target), coupled, solver,
+                         place);
   }
 
   void close_displacements(const Edges<D>& edges, SolverChoice solver, const Place& place) {
@@ -95,7 +81,8 @@ struct GhostGradient<D>::Impl {
           extended.push_back({static_cast<int>(p), i, displacement_image<D>(real, edges, at, i)});
         }
       }
-      add_system(displacement, fmt::format("u_{}", "xyz"[i]), i, nodes, target, solver, place);
+      add_system(displacement, fmt::format("u_{}", "xyz"[i]), i, std::move(nodes),
+                 std::move(target), solver, place);
     }
   }
 
@@ -117,8 +104,8 @@ struct GhostGradient<D>::Impl {
           nodes.push_back(static_cast<int>(p));
           target.push_back(signal);
         }
-        add_system(strain, fmt::format("du_{}/dX_{}", "xyz"[i], "xyz"[a]), i * D + a, nodes, target,
-                   solver, place);
+        add_system(strain, fmt::format("du_{}/dX_{}", "xyz"[i], "xyz"[a]), i * D + a,
+                   std::move(nodes), std::move(target), solver, place);
       }
   }
 
@@ -140,30 +127,6 @@ struct GhostGradient<D>::Impl {
       }
       etas.push_back(std::move(eta));
     }
-  }
-
-  /// Values on the nodes of a system such that W times the field hits its targets there.
-  static void solve(const System& system, const std::vector<double>& signals, double* field,
-                    Index stride, Workspace& work, SolveWorkspace& scratch) {
-    const auto n = static_cast<Index>(system.nodes.size());
-    for (Index k = 0; k < n; ++k) {
-      const std::size_t signal = system.target[static_cast<std::size_t>(k)];
-      work.rhs[k] = signal == no_signal ? 0.0 : signals[signal];
-    }
-    const SparseMatrix& C = system.coupling;
-    for (Index k = 0; k < C.rows(); ++k)
-      for (SparseMatrix::InnerIterator it(C, k); it; ++it)
-        work.rhs[k] -= it.value() * field[it.col() * stride + system.slot];
-    system.factor.solve_into(work.rhs.data(), work.solution.data(), scratch);
-    for (Index k = 0; k < n; ++k)
-      field[system.nodes[static_cast<std::size_t>(k)] * stride + system.slot] = work.solution[k];
-  }
-
-  void set_targets(const System& system, const std::vector<double>& signals, double* field,
-                   Index stride) const {
-    for (std::size_t k = 0; k < system.nodes.size(); ++k)
-      field[system.nodes[k] * stride + system.slot] =
-          system.target[k] == no_signal ? 0.0 : signals[system.target[k]];
   }
 
   /// Ghosts carry the value of their edge, corrected by η W in the ghosts ("set G", Algorithm 4.1).
@@ -228,9 +191,9 @@ typename GhostGradient<D>::Workspace GhostGradient<D>::workspace() const {
   work.strain = TensorField<D>::Zero(N, D * D);
   Index largest = 0;
   for (const auto* systems : {&impl_->displacement, &impl_->strain})
-    for (const System& system : *systems) {
-      largest = std::max(largest, static_cast<Index>(system.nodes.size()));
-      work.solves.push_back(system.factor.workspace());
+    for (const GhostSystem& system : *systems) {
+      largest = std::max(largest, system.size());
+      work.solves.push_back(system.workspace());
     }
   work.rhs = Eigen::VectorXd::Zero(largest);
   work.solution = work.rhs;
@@ -255,15 +218,16 @@ void GhostGradient<D>::apply(const VectorField<D>& u, const std::vector<double>&
     work.u(ghost.ghost, ghost.component) = value;
   }
   std::size_t scratch = 0;
-  for (const System& system : self.displacement)
-    Impl::solve(system, signals, work.u.data(), D, work, work.solves[scratch++]);
+  for (const GhostSystem& system : self.displacement)
+    system.solve(signals, work.u.data(), D, work.rhs, work.solution, work.solves[scratch++]);
   multiply<D>(self.W, work.u, work.smooth);
-  for (const System& system : self.displacement)
-    self.set_targets(system, signals, work.smooth.data(), D);
+  for (const GhostSystem& system : self.displacement)
+    system.set_targets(signals, work.smooth.data(), D, work.smooth.rows());
 
   self.X.gradient(work.smooth, work.strain);
-  for (const System& system : self.strain)
-    Impl::solve(system, signals, work.strain.data(), D * D, work, work.solves[scratch++]);
+  for (const GhostSystem& system : self.strain)
+    system.solve(signals, work.strain.data(), D * D, work.rhs, work.solution,
+                 work.solves[scratch++]);
   // H = W strain on the real nodes, all components at once.
   for (Index p = 0; p < self.lattice.real; ++p) {
     double sum[D * D] = {};
@@ -271,11 +235,8 @@ void GhostGradient<D>::apply(const VectorField<D>& u, const std::vector<double>&
       for (int c = 0; c < D * D; ++c) sum[c] += it.value() * work.strain(it.col(), c);
     for (int c = 0; c < D * D; ++c) H(p, c) = sum[c];
   }
-  for (const System& system : self.strain)
-    for (std::size_t k = 0; k < system.nodes.size(); ++k)
-      if (system.nodes[k] < self.lattice.real)
-        H(system.nodes[k], system.slot) =
-            system.target[k] == no_signal ? 0.0 : signals[system.target[k]];
+  for (const GhostSystem& system : self.strain)
+    system.set_targets(signals, H.data(), D * D, self.lattice.real);
 }
 
 template <int D>
@@ -297,11 +258,7 @@ template <int D>
 std::vector<std::string> GhostGradient<D>::report() const {
   std::vector<std::string> lines;
   for (const auto* systems : {&impl_->displacement, &impl_->strain})
-    for (const System& system : *systems)
-      lines.push_back(fmt::format(
-          "{}: {} unknowns, {} ({}), condition {:.2e}", system.name, system.nodes.size(),
-          system.factor.chosen() == SolverChoice::cholmod ? "cholmod" : "umfpack",
-          system.factor.reason(), system.factor.condition_estimate()));
+    for (const GhostSystem& system : *systems) lines.push_back(system.report());
   return lines;
 }
 
@@ -309,8 +266,7 @@ template <int D>
 std::string GhostGradient<D>::solver() const {
   std::set<std::string> used;
   for (const auto* systems : {&impl_->displacement, &impl_->strain})
-    for (const System& system : *systems)
-      used.insert(system.factor.chosen() == SolverChoice::cholmod ? "cholmod" : "umfpack");
+    for (const GhostSystem& system : *systems) used.insert(system.solver());
   std::string text;
   for (const std::string& name : used) text += (text.empty() ? "" : "+") + name;
   return text;

@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <span>
 
 #include "linear_body.hpp"
 #include "list.hpp"
+#include "tlsph/analysis/oscillation.hpp"
 #include "tlsph/simulation/builder.hpp"
 
 namespace tlsph {
@@ -46,26 +46,11 @@ double period(const CaseRun& run, std::vector<std::string> overrides, int throug
   return 2 * std::numbers::pi / LinearBody(disc).lowest_frequency();
 }
 
-/// The same operators stepped: twice the slope of the straight line through the passages of the tip
-/// through zero against their number, for the initial field is not quite the mode.
+/// The same operators stepped: the mean, for the initial field is not quite the mode.
 double period_of_run(CaseRun& run, int through) {
   const CaseScene swing =
       run.scene("swing", "plate.toml", {fmt::format("body.spacing={}", height / (through - 1))});
-  const std::span<const double> tip = swing.probe("tip.displacement_y");
-  const std::vector<double>& time = swing.history.time;
-  std::vector<double> passages;
-  for (std::size_t k = 2; k < tip.size(); ++k)
-    if ((tip[k - 1] < 0.0) != (tip[k] < 0.0))
-      passages.push_back(time[k - 1] +
-                         (time[k] - time[k - 1]) * tip[k - 1] / (tip[k - 1] - tip[k]));
-  const double middle = 0.5 * static_cast<double>(passages.size() - 1);
-  double slope = 0.0, squares = 0.0;
-  for (std::size_t k = 0; k < passages.size(); ++k) {
-    const double from_middle = static_cast<double>(k) - middle;
-    slope += from_middle * passages[k];
-    squares += from_middle * from_middle;
-  }
-  return 2 * slope / squares;
+  return mean_period(swing.history.time, swing.probe("tip.displacement_y"));
 }
 
 }  // namespace

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tlsph/contrast/current_lattice.hpp"
 #include "list.hpp"
 #include "run_series.hpp"
+#include "tlsph/contrast/current_lattice.hpp"
 #include "tlsph/materials/waves.hpp"
 
 namespace tlsph {

@@ -98,7 +98,7 @@ void follow_source(CaseRun& run, const std::string& formulation) {
 void lose_waves(CaseRun& run, const std::string& formulation) {
   constexpr double poisson = 0.49;
   const auto [lambda, mu] = lame(young, poisson);
-  const double limit = first_loss([&](double F) {  // of dP/dF
+  const double limit = first_loss([mu = mu, lambda = lambda](double F) {  // of dP/dF
     return mu * (1 + 1 / (F * F)) + lambda * (1 - std::log(F)) / (F * F);
   });
   auto overrides = kernel_of(formulation);

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "mixed_kernels.hpp"
 #include "tlsph/analysis/motion_growth.hpp"
 #include "tlsph/contrast/current_lattice.hpp"
-#include "mixed_kernels.hpp"
 #include "tlsph/linear/factorization.hpp"
 #include "tlsph/operators/gradients.hpp"
 

@@ -7,8 +7,8 @@
 
 #include "bar_wave_run.hpp"
 #include "list.hpp"
-#include "tlsph/analysis/motion_growth.hpp"
 #include "signals.hpp"
+#include "tlsph/analysis/motion_growth.hpp"
 #include "tlsph/analysis/spectrum.hpp"
 #include "tlsph/simulation/builder.hpp"
 #include "validation_bar.hpp"

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tlsph/analysis/motion_growth.hpp"
-#include "tlsph/contrast/current_lattice.hpp"
 #include "list.hpp"
 #include "run_series.hpp"
+#include "tlsph/analysis/motion_growth.hpp"
+#include "tlsph/contrast/current_lattice.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/dynamics/state.hpp"
 #include "tlsph/simulation/builder.hpp"

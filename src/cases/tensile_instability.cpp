@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "list.hpp"
 #include "tlsph/analysis/motion_growth.hpp"
 #include "tlsph/contrast/current_lattice.hpp"
-#include "list.hpp"
 
 namespace tlsph {
 namespace {

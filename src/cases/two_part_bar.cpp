@@ -15,6 +15,7 @@ TwoPartWave::TwoPartWave(const TwoPartBar& bar, double end) : bar_(bar) {
   struct Key {
     int ways, ways_in_a;
     bool in_b, outward;
+    // NOLINTNEXTLINE(modernize-use-nullptr): a comparison with zero that the compiler writes
     auto operator<=>(const Key&) const = default;
   };
   std::map<Key, double> waiting = {{{0, 0, false, true}, 1.0}};
@@ -26,7 +27,7 @@ TwoPartWave::TwoPartWave(const TwoPartBar& bar, double end) : bar_(bar) {
     if (start > end) continue;
     rays_.push_back({in_b, outward, start, factor});
     const int next_in_a = in_a + (in_b ? 0 : 1);
-    const auto send = [&](bool into_b, bool out, double share) {
+    const auto send = [&, ways = ways, factor = factor](bool into_b, bool out, double share) {
       waiting[{ways + 1, next_in_a, into_b, out}] += share * factor;
     };
     if (!in_b && !outward) {

@@ -102,11 +102,10 @@ StepFollower<D>::StepFollower(const Discretisation<D>& disc, const State<D>& sta
       price_(price_of_estimate),
       H_estimate_(state.H),
       H_check_(state.H),
+      row_sum_(disc.ghosts ? 0.0 : largest_row_sum<D>(disc.gradient)),
       last_look_(state.step),
       next_look_(state.step + 1),
-      estimates_(1) {
-  row_sum_ = disc.ghosts ? 0.0 : largest_row_sum<D>(disc.gradient);
-}
+      estimates_(1) {}
 
 template <int D>
 double StepFollower<D>::stiffening(const TensorField<D>& H, double gamma) const {

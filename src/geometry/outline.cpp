@@ -96,7 +96,7 @@ std::vector<Vector<2>> meetings(const OutlinePiece& a, const OutlinePiece& b, do
   const Vector<2> edge_a = a.to - a.from, edge_b = b.to - b.from;
   const double determinant = cross(edge_a, edge_b);
   if (std::abs(determinant) > merge_share * edge_a.norm() * edge_b.norm())
-    points.push_back(a.from + cross(b.from - a.from, edge_b) / determinant * edge_a);
+    points.emplace_back(a.from + cross(b.from - a.from, edge_b) / determinant * edge_a);
   return points;
 }
 

@@ -8,6 +8,7 @@
 #include <cassert>
 #include <cerrno>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 #include <string_view>
 #include <utility>
@@ -21,14 +22,6 @@ namespace {
 
 constexpr std::size_t capacity = 1 << 16;
 constexpr std::size_t widest_value = 26;  // "-1.2345678901234567e-308," has 25
-
-std::string header_of(const std::vector<std::string>& columns) {
-  assert(!columns.empty());
-  std::string header;
-  for (const auto& column : columns) header += csv_field(column) + ',';
-  header.back() = '\n';
-  return header;
-}
 
 /// Bytes up to and including the end of line number `lines`; `found` counts the lines seen.
 off_t end_of_line(int descriptor, std::size_t lines, std::size_t& found, const fs::path& path) {
@@ -60,25 +53,37 @@ std::string csv_field(const std::string& cell) {
   return quoted + '"';
 }
 
+std::string csv_line(std::span<const std::string> cells) {
+  assert(!cells.empty());
+  std::string line;
+  for (const std::string& cell : cells) line += csv_field(cell) + ',';
+  line.back() = '\n';
+  return line;
+}
+
+std::string csv_number(double value) {
+  return std::isfinite(value) ? fmt::format("{:.17g}", value) : "";
+}
+
 CsvWriter::CsvWriter(fs::path path, std::size_t columns, int descriptor)
     : path_(std::move(path)), columns_(columns), descriptor_(descriptor) {
   buffer_.resize(std::max(capacity, columns * widest_value));
 }
 
-CsvWriter::CsvWriter(fs::path path, const std::vector<std::string>& columns)
+CsvWriter::CsvWriter(const fs::path& path, const std::vector<std::string>& columns)
     : CsvWriter(path, columns.size(),
                 ::open(path.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
   if (descriptor_ < 0) output_failed(path_, "create", errno);
-  const std::string header = header_of(columns);
+  const std::string header = csv_line(columns);
   write_all(descriptor_, header.data(), header.size(), path_);
 }
 
-CsvWriter CsvWriter::resume(fs::path path, const std::vector<std::string>& columns,
+CsvWriter CsvWriter::resume(const fs::path& path, const std::vector<std::string>& columns,
                             std::size_t rows) {
   CsvWriter writer(path, columns.size(), ::open(path.c_str(), O_RDWR | O_CLOEXEC));
   if (writer.descriptor_ < 0)
     throw InputError(path.string() + ": cannot open to go on with it: " + std::strerror(errno));
-  const std::string header = header_of(columns);
+  const std::string header = csv_line(columns);
   std::string found(header.size(), '\0');
   const ssize_t got = ::pread(writer.descriptor_, found.data(), found.size(), 0);
   if (got != static_cast<ssize_t>(found.size()) || found != header)
@@ -115,16 +120,6 @@ void CsvWriter::row(std::span<const double> values) {
   }
   next[-1] = '\n';
   filled_ = static_cast<std::size_t>(next - buffer_.data());
-  ++rows_;
-}
-
-void CsvWriter::row(std::span<const std::string> cells) {
-  assert(cells.size() == columns_);
-  std::string line;
-  for (const auto& cell : cells) line += csv_field(cell) + ',';
-  line.back() = '\n';
-  flush();
-  write_all(descriptor_, line.data(), line.size(), path_);
   ++rows_;
 }
 

@@ -54,9 +54,10 @@ void make_output_directory(const fs::path& directory) {
   ::unlink(trial.c_str());
 }
 
-AsideFile::AsideFile(fs::path target) : target_(std::move(target)), aside_(target_) {
-  aside_ += ".tmp";
-  descriptor_ = ::open(aside_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+AsideFile::AsideFile(fs::path target)
+    : target_(std::move(target)),
+      aside_(target_.string() + ".tmp"),
+      descriptor_(::open(aside_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
   if (descriptor_ < 0) output_failed(aside_, "create", errno);
 }
 

@@ -19,6 +19,8 @@ class Hdf5Id {
   using Close = herr_t (*)(hid_t);
   Hdf5Id() = default;
   Hdf5Id(hid_t id, Close close) : id_(id), close_(close) {}
+  Hdf5Id(const Hdf5Id&) = delete;
+  Hdf5Id& operator=(const Hdf5Id&) = delete;
   Hdf5Id(Hdf5Id&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
   Hdf5Id& operator=(Hdf5Id&& other) noexcept {
     std::swap(id_, other.id_);

@@ -84,6 +84,18 @@ void Json::set(std::string_view path, std::string_view value) {
 void Json::set(std::string_view path, std::nullptr_t) {
   tree_->make(path) = nullptr;
 }
+void Json::set(std::string_view path, const std::optional<double>& value) {
+  if (value)
+    set(path, *value);
+  else
+    set(path, nullptr);
+}
+void Json::set_or_null(std::string_view path, std::string_view text) {
+  if (text.empty())
+    set(path, nullptr);
+  else
+    set(path, text);
+}
 void Json::set(std::string_view path, const std::vector<double>& values) {
   tree_->make(path) = values;
 }

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "columns.hpp"
 #include "suitesparse.hpp"
 #include "tlsph/linear/condition.hpp"
 
@@ -168,13 +169,7 @@ void Cholesky::solve_into(const double* rhs, double* x, SolveWorkspace& workspac
 }
 
 Eigen::MatrixXd Cholesky::solve_columns(const Eigen::Ref<const Eigen::MatrixXd>& b) const {
-  assert(b.rows() == rows());
-  Eigen::MatrixXd x(b.rows(), b.cols());
-  SolveWorkspace scratch = workspace();
-  for (Index column = 0; column < b.cols(); ++column) {
-    solve_into(b.col(column).data(), x.col(column).data(), scratch);
-  }
-  return x;
+  return solve_each_column(*this, b);
 }
 
 double Cholesky::condition_estimate() const {

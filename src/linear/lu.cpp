@@ -2,9 +2,9 @@
 #include <umfpack.h>
 
 #include <array>
-#include <cassert>
 #include <utility>
 
+#include "columns.hpp"
 #include "suitesparse.hpp"
 #include "tlsph/linear/condition.hpp"
 
@@ -100,13 +100,7 @@ void Lu::solve_into(const double* rhs, double* x, SolveWorkspace& workspace) con
 }
 
 Eigen::MatrixXd Lu::solve_columns(const Eigen::Ref<const Eigen::MatrixXd>& b) const {
-  assert(b.rows() == rows());
-  Eigen::MatrixXd x(b.rows(), b.cols());
-  SolveWorkspace scratch = workspace();
-  for (Index column = 0; column < b.cols(); ++column) {
-    solve_into(b.col(column).data(), x.col(column).data(), scratch);
-  }
-  return x;
+  return solve_each_column(*this, b);
 }
 
 double Lu::condition_estimate() const {

@@ -27,23 +27,23 @@ AnyLaw<D> make_law(LawName name, Assumption assumption, double young, double poi
 }
 
 template <int D>
-double energy(const AnyLaw<D>& any, const Tensor<D>& H) {
-  return std::visit([&](const auto& law) { return law.energy(H); }, any);
+double energy(const AnyLaw<D>& law, const Tensor<D>& H) {
+  return std::visit([&](const auto& held) { return held.energy(H); }, law);
 }
 
 template <int D>
-Tensor<D> pk1(const AnyLaw<D>& any, const Tensor<D>& H) {
-  return std::visit([&](const auto& law) { return law.pk1(H); }, any);
+Tensor<D> pk1(const AnyLaw<D>& law, const Tensor<D>& H) {
+  return std::visit([&](const auto& held) { return held.pk1(H); }, law);
 }
 
 template <int D>
-Tangent<D> tangent(const AnyLaw<D>& any, const Tensor<D>& H) {
-  return std::visit([&](const auto& law) { return law.tangent(H); }, any);
+Tangent<D> tangent(const AnyLaw<D>& law, const Tensor<D>& H) {
+  return std::visit([&](const auto& held) { return held.tangent(H); }, law);
 }
 
 template <int D>
-bool small_strain(const AnyLaw<D>& any) {
-  return std::visit([](const auto& law) { return law.small_strain; }, any);
+bool small_strain(const AnyLaw<D>& law) {
+  return std::visit([](const auto& held) { return held.small_strain; }, law);
 }
 
 template AnyLaw<1> make_law<1>(LawName, Assumption, double, double);

@@ -82,10 +82,10 @@ double uniaxial(const Law& law, double traction) {
 }  // namespace
 
 template <int D>
-double uniaxial_gradient(const AnyLaw<D>& any, double traction) {
+double uniaxial_gradient(const AnyLaw<D>& law, double traction) {
   if (!std::isfinite(traction))
     throw InputError(fmt::format("a traction of {} Pa has no stretch", traction));
-  return std::visit([&](const auto& law) { return uniaxial<D>(law, traction); }, any);
+  return std::visit([&](const auto& held) { return uniaxial<D>(held, traction); }, law);
 }
 
 template double uniaxial_gradient<1>(const AnyLaw<1>&, double);

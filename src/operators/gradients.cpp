@@ -155,7 +155,7 @@ VectorOperator<D> collocated_gradient(const AnyKernel& kernel, double h, const V
             gamma /= sum;
           }
           const auto gradient = [&](const Vector<D>& difference) -> Vector<D> {
-            const Vector<D> plain = kernel_gradient<D>(family, difference, h);
+            Vector<D> plain = kernel_gradient<D>(family, difference, h);
             if (correction != Correction::mixed) return plain;
             return (plain - gamma * kernel_value<D>(family, difference.norm(), h)) / sum;
           };

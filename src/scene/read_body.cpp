@@ -32,7 +32,7 @@ const Node& only_form(const TableView& view, int dimension) {
 Shape<1> read_shape_1d(const TableView& view) {
   const Node& node = only_form(view, 1);
   const auto ends = read_vector(node, 2, "from and to");
-  const auto shape = make_interval(ends[0], ends[1]);
+  auto shape = make_interval(ends[0], ends[1]);
   validate(shape, node.place);
   return shape;
 }

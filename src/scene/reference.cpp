@@ -22,9 +22,9 @@ std::string type_of(const Key& key) {
   add(numbers, "[number, …]");
   add(points, "[[number, …], …]");
   add(texts, "[text, …]");
-  const std::string below = key.below == key.name ? "table" : fmt::format("table of {}", key.below);
-  if ((key.forms & table) != 0) parts.push_back(below);
-  if ((key.forms & tables) != 0) parts.push_back("list of tables");
+  if ((key.forms & table) != 0)
+    parts.push_back(key.below == key.name ? "table" : fmt::format("table of {}", key.below));
+  if ((key.forms & tables) != 0) parts.emplace_back("list of tables");
   return fmt::format("{}", fmt::join(parts, " or "));
 }
 

@@ -170,8 +170,8 @@ void export_in(const Scene& scene, const std::filesystem::path& directory) {
 
 }  // namespace
 
-void export_operators(const Scene& scene, const std::filesystem::path& directory) {
-  scene.dimension == 1 ? export_in<1>(scene, directory) : export_in<2>(scene, directory);
+void export_operators(const Scene& scene, const std::filesystem::path& out) {
+  scene.dimension == 1 ? export_in<1>(scene, out) : export_in<2>(scene, out);
 }
 
 }  // namespace tlsph

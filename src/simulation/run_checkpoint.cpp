@@ -1,7 +1,12 @@
+#include <fmt/format.h>
+
 #include <omp.h>
+
+#include <bit>
 
 #include "run_loop.hpp"
 #include "stopwatch.hpp"
+#include "tlsph/io/check_sum.hpp"
 
 namespace tlsph {
 namespace {
@@ -12,6 +17,43 @@ constexpr std::size_t numbers = 16 + 2 * D;
 
 std::span<const double> flat(const auto& matrix) {
   return {matrix.data(), static_cast<std::size_t>(matrix.size())};
+}
+
+/// What a state belongs to: nodes, volumes and the patches that carry the conditions.
+template <int D>
+std::int64_t check_sum(const Particles<D>& particles) {
+  CheckSum sum;
+  const auto add = [&sum](std::span<const double> values) {
+    sum.add(values.data(), values.size_bytes());
+  };
+  add(flat(particles.X));
+  add(flat(particles.V));
+  for (const Patch<D>& patch : particles.patches) {
+    sum.add(patch.name.data(), patch.name.size());
+    sum.add(patch.nodes.data(), patch.nodes.size() * sizeof(int));
+  }
+  return std::bit_cast<std::int64_t>(sum.value());
+}
+
+/// InputError unless the checkpoint is one of this scene on these particles: the points of a cloud
+/// stand in a file of their own, which the text of the scene knows by name only.
+template <int D>
+void require_own(const Checkpoint& checkpoint, const Scene& scene, const Particles<D>& particles) {
+  const Place here{checkpoint.path.string(), 0, 0, {}};
+  if (checkpoint.text("scene") != scene.text)
+    throw InputError(
+        here,
+        "belongs to another scene or other overrides; resume with the same, or run anew "
+        "without --resume");
+  if (checkpoint.integer("particles") == check_sum(particles)) return;
+  if (scene.body.cloud.empty())
+    throw InputError(here,
+                     "belongs to other particles, those of another version of the program; run "
+                     "anew without --resume");
+  throw InputError(scene.body.cloud_place,
+                   fmt::format("the points of {} are no longer those that {} belongs to; bring "
+                               "them back, or run anew without --resume",
+                               scene.body.cloud, here.file));
 }
 
 }  // namespace
@@ -79,6 +121,7 @@ void RunLoop<D>::save_checkpoint() {
                    {"frames", static_cast<std::int64_t>(counts.frames)},
                    {"series", static_cast<std::int64_t>(counts.series)},
                    {"probes", static_cast<std::int64_t>(counts.probes)},
+                   {"particles", check_sum(disc_.particles)},
                    {"threads", omp_get_max_threads()}};
   view.texts = {{"scene", scene_.text}};
   write_checkpoint(options_.out / "checkpoint.h5", view);
@@ -87,11 +130,7 @@ void RunLoop<D>::save_checkpoint() {
 
 template <int D>
 void RunLoop<D>::resume_from(const Checkpoint& checkpoint) {
-  if (checkpoint.text("scene") != scene_.text)
-    throw InputError(
-        Place{checkpoint.path.string(), 0, 0, {}},
-        "belongs to another scene or other overrides; resume with the same, or run anew "
-        "without --resume");
+  require_own(checkpoint, scene_, disc_.particles);
   const auto fill = [&](const char* name, auto& field) {
     const auto& values = checkpoint.array(name, static_cast<std::size_t>(field.size()));
     std::copy(values.begin(), values.end(), field.data());

@@ -20,19 +20,13 @@ std::string HyperbolicityLoss::text() const {
 
 std::string Summary::json() const {
   Json tree;
-  const auto optional = [&](const char* key, const std::optional<double>& value) {
-    if (value)
-      tree.set(key, *value);
-    else
-      tree.set(key, nullptr);
-  };
   tree.set("scene", scene);
   tree.set("title", title);
   tree.set("version", version);
   tree.set("dimension", dimension);
   tree.set("formulation", formulation);
   tree.set("kernel", kernel);
-  optional("support", support);
+  tree.set("support", support);
   tree.set("particles", particles);
   tree.set("ghosts", ghosts);
   tree.set("points", points);
@@ -42,7 +36,7 @@ std::string Summary::json() const {
   tree.set("dt", dt);
   tree.set("dt_critical", dt_critical);
   tree.set("dt_critical_scaled", dt_critical_scaled);
-  optional("growth_rate", growth_rate);
+  tree.set("growth_rate", growth_rate);
   tree.set("steps", steps);
   tree.set("end_time", end_time);
   tree.set("threads", threads);
@@ -90,15 +84,9 @@ std::string Summary::json() const {
   } else {
     tree.set("consistency", nullptr);
   }
-  if (boundary_solver.empty())
-    tree.set("boundary_solver", nullptr);
-  else
-    tree.set("boundary_solver", boundary_solver);
+  tree.set_or_null("boundary_solver", boundary_solver);
   tree.set("interrupted", interrupted);
-  if (failure.empty())
-    tree.set("failure", nullptr);
-  else
-    tree.set("failure", failure);
+  tree.set_or_null("failure", failure);
   return tree.dump() + '\n';
 }
 

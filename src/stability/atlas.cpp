@@ -78,7 +78,7 @@ std::vector<Piece> pieces_of(const Subject& subject, FirstVibration& first) {
                                         {Motion::struck, 0.1}})
       for (const Follow follow : {Follow::never, Follow::follower})
         pieces.push_back({fmt::format("crush of {} at {} c", method.name, speed), 5.0,
-                          [&subject, method, motion, speed, follow](Atlas& atlas) {
+                          [&subject, method, motion = motion, speed = speed, follow](Atlas& atlas) {
                             atlas.crush.push_back(
                                 crush_row(subject, method, motion, speed, 0.95, follow));
                           }});

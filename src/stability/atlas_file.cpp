@@ -1,72 +1,72 @@
-#include <fmt/format.h>
-
-#include <array>
+#include <optional>
 
 #include "tlsph/io/csv.hpp"
 #include "tlsph/io/files.hpp"
 #include "tlsph/io/json.hpp"
+#include "tlsph/io/record.hpp"
 #include "tlsph/stability/atlas.hpp"
 #include "verdict_names.hpp"
 
 namespace tlsph {
 namespace {
 
-std::string cell(double value) {
-  return std::isnan(value) ? "" : fmt::format("{:.17g}", value);
+/// −1 stands for a count that is not known.
+std::optional<Index> known(Index count) {
+  return count < 0 ? std::nullopt : std::optional(count);
 }
 
-std::string count(Index value) {
-  return value < 0 ? "" : std::to_string(value);
+Record state_record(const AtlasRow& row) {
+  Record record;
+  record.set("name", row.name);
+  record.set("method", row.method);
+  record.set("formulation", row.formulation);
+  record.set("kernel", row.kernel);
+  record.set("support", row.support);
+  record.set("body", row.body);
+  record.set("jitter", row.jitter);
+  record.set("poisson", row.poisson);
+  record.set("stretch", row.stretch);
+  record.set("particles", known(row.particles));
+  record.set("verdict", verdict_name(row.verdict));
+  record.set("refusal", row.refusal);
+  record.set("acoustic", row.acoustic);
+  record.set("imbalance", row.imbalance);
+  record.set("unrest", row.unrest);
+  record.set("critical_step", row.bound);
+  record.set("true_limit", row.limit);
+  record.set("soft_modes", known(row.soft));
+  record.set("excursion", row.excursion);
+  record.set("negative", known(row.negative));
+  record.set("growth", row.growth);
+  return record;
 }
 
-const std::vector<std::string> columns = {
-    "name",      "method",    "formulation",  "kernel",    "support",  "body",
-    "jitter",    "poisson",   "stretch",      "particles", "verdict",  "refusal",
-    "acoustic",  "imbalance", "unrest",       "bound",     "limit",    "soft",
-    "excursion", "negative",  "growth",       "run",       "dt_ratio", "expected",
-    "seen",      "amplitude", "energy_drift", "steps",     "lost_at"};
-
-std::vector<std::string> state_cells(const AtlasRow& row) {
-  return {row.name,
-          row.method,
-          row.formulation,
-          row.kernel,
-          cell(row.support),
-          row.body,
-          cell(row.jitter),
-          cell(row.poisson),
-          cell(row.stretch),
-          count(row.particles),
-          std::string(verdict_name(row.verdict)),
-          row.refusal,
-          cell(row.acoustic),
-          cell(row.imbalance),
-          cell(row.unrest),
-          cell(row.bound),
-          cell(row.limit),
-          count(row.soft),
-          cell(row.excursion),
-          count(row.negative),
-          cell(row.growth)};
+Record run_record(const PerturbedRun& run) {
+  Record record;
+  record.set("label", run.label);
+  record.set("dt_ratio", run.ratio);
+  record.set("growth_expected", run.expected);
+  record.set("growth_seen", run.seen);
+  record.set("amplitude", run.amplitude);
+  record.set("energy_drift", run.energy_drift);
+  record.set("steps", run.steps);
+  record.set("lost_at", known(run.lost_at));
+  return record;
 }
 
-std::vector<std::string> run_cells(const PerturbedRun& run) {
-  return {
-      run.label,           cell(run.ratio),        cell(run.expected),        cell(run.seen),
-      cell(run.amplitude), cell(run.energy_drift), std::to_string(run.steps), count(run.lost_at)};
-}
-
+/// A line a run; a state without runs has one line too.
 void write_rows(const Atlas& atlas, const std::filesystem::path& path) {
-  CsvWriter csv(path, columns);
-  for (const AtlasRow& row : atlas.rows) {
-    const std::vector<PerturbedRun> none(1);
-    for (const PerturbedRun& run : row.runs.empty() ? none : row.runs) {
-      std::vector<std::string> cells = state_cells(row);
-      for (std::string& text : run_cells(run)) cells.push_back(std::move(text));
-      csv.row(cells);
-    }
-  }
-  csv.close();
+  const auto line = [](const AtlasRow& row, const PerturbedRun& run) {
+    Record record = state_record(row);
+    record.append(run_record(run));
+    return record;
+  };
+  std::string csv = csv_line(line({}, {}).names());
+  const std::vector<PerturbedRun> none(1);
+  for (const AtlasRow& row : atlas.rows)
+    for (const PerturbedRun& run : row.runs.empty() ? none : row.runs)
+      csv += csv_line(line(row, run).cells());
+  write_text_file(path, csv);
 }
 
 void write_waves(const Atlas& atlas, const std::filesystem::path& path) {
@@ -74,54 +74,20 @@ void write_waves(const Atlas& atlas, const std::filesystem::path& path) {
       atlas.dimension == 1 ? std::vector<std::string>{"method", "poisson", "k_x", "longitudinal"}
                            : std::vector<std::string>{"method", "poisson",    "k_x",
                                                       "k_y",    "transverse", "longitudinal"};
-  CsvWriter csv(path, names);
+  std::string csv = csv_line(names);
   for (const WaveRow& row : atlas.waves)
     for (const std::vector<double>& line : row.map) {
-      std::vector<std::string> cells = {row.method, cell(row.poisson)};
-      for (const double value : line) cells.push_back(cell(value));
-      csv.row(cells);
+      std::vector<std::string> cells = {row.method, csv_number(row.poisson)};
+      for (const double value : line) cells.push_back(csv_number(value));
+      csv += csv_line(cells);
     }
-  csv.close();
-}
-
-Json run_json(const PerturbedRun& run) {
-  Json json;
-  json.set("label", run.label);
-  json.set("dt_ratio", run.ratio);
-  json.set("growth_expected", run.expected);
-  json.set("growth_seen", run.seen);
-  json.set("amplitude", run.amplitude);
-  json.set("energy_drift", run.energy_drift);
-  json.set("steps", run.steps);
-  json.set("lost_at", run.lost_at);
-  return json;
+  write_text_file(path, csv);
 }
 
 Json row_json(const AtlasRow& row) {
-  Json json;
-  json.set("name", row.name);
-  json.set("method", row.method);
-  json.set("formulation", row.formulation);
-  json.set("kernel", row.kernel);
-  json.set("support", row.support);
-  json.set("body", row.body);
-  json.set("jitter", row.jitter);
-  json.set("poisson", row.poisson);
-  json.set("stretch", row.stretch);
-  json.set("particles", row.particles);
-  json.set("verdict", verdict_name(row.verdict));
-  json.set("refusal", row.refusal);
-  json.set("acoustic", row.acoustic);
-  json.set("imbalance", row.imbalance);
-  json.set("unrest", row.unrest);
-  json.set("critical_step", row.bound);
-  json.set("true_limit", row.limit);
-  json.set("soft_modes", row.soft);
-  json.set("excursion", row.excursion);
-  json.set("negative", row.negative);
-  json.set("growth", row.growth);
+  Json json = state_record(row).json();
   json.make_list("runs");
-  for (const PerturbedRun& run : row.runs) json.append("runs", run_json(run));
+  for (const PerturbedRun& run : row.runs) json.append("runs", run_record(run).json());
   return json;
 }
 

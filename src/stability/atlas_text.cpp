@@ -59,7 +59,7 @@ std::vector<double> values_of(const std::vector<AtlasRow>& rows, const Value& va
   for (const AtlasRow& row : rows)
     if (row.body == "scene") values.push_back(value(row));
   std::ranges::sort(values);
-  values.erase(std::ranges::unique(values).begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
   return values;
 }
 

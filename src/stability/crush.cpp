@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <string_view>
+#include <utility>
 
 #include "tlsph/core/error.hpp"
 #include "tlsph/dynamics/step_follower.hpp"
@@ -107,10 +110,11 @@ void crush(const Subject& subject, const Method& method, Motion motion, double s
 
 std::vector<Method> crushed_methods(int dimension) {
   std::vector<Method> chosen;
+  constexpr std::array<std::string_view, 6> names = {"stress-point",      "stress-point cells + S",
+                                                     "variational 2.5",   "variational 2.5 + S",
+                                                     "consistent [1, 1]", "mirror 2.5"};
   for (Method& method : atlas_methods(dimension))
-    for (const char* name : {"stress-point", "stress-point cells + S", "variational 2.5",
-                             "variational 2.5 + S", "consistent [1, 1]", "mirror 2.5"})
-      if (method.name == name) chosen.push_back(std::move(method));
+    if (std::ranges::count(names, method.name) > 0) chosen.push_back(std::move(method));
   return chosen;
 }
 

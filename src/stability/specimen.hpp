@@ -28,7 +28,7 @@ struct Subject {
 
 /// Reads the scene, checks that an atlas can be drawn of it, and coarsens it to a few hundred
 /// particles at the most.
-[[nodiscard]] Subject read_subject(const std::filesystem::path& scene,
+[[nodiscard]] Subject read_subject(const std::filesystem::path& file,
                                    const std::vector<std::string>& overrides);
 
 /// `sliding`: the normal displacement of each edge of a box is held at that of the stretch, so that

@@ -16,10 +16,6 @@
 namespace tlsph {
 namespace {
 
-std::string cell(double value) {
-  return std::isfinite(value) ? fmt::format("{:.17g}", value) : "";
-}
-
 std::string name_of(const ChartPoint& point) {
   return point.peer.empty() ? point.family : point.peer;
 }
@@ -113,10 +109,11 @@ std::string csv_text(const ChartTable& table) {
                    csv_field(point.family), point.formulation, point.kernel,
                    point.support ? fmt::format("{}", *point.support) : "",
                    point.order > 0 ? fmt::format("{}", point.order) : "", point.stabiliser,
-                   point.spacing, point.particles, point.steps, cell(point.setup_seconds),
-                   cell(point.time()), cell(least), cell(most), point.seconds.size());
-    for (const double error : point.errors) fmt::format_to(end, ",{}", cell(error));
-    for (const double error : point.judged) fmt::format_to(end, ",{}", cell(error));
+                   point.spacing, point.particles, point.steps, csv_number(point.setup_seconds),
+                   csv_number(point.time()), csv_number(least), csv_number(most),
+                   point.seconds.size());
+    for (const double error : point.errors) fmt::format_to(end, ",{}", csv_number(error));
+    for (const double error : point.judged) fmt::format_to(end, ",{}", csv_number(error));
     for (std::size_t q = 0; q < table.quantities.size(); ++q)
       fmt::format_to(end, ",{}", point.front[q] ? 1 : 0);
     fmt::format_to(end, ",{}\n", csv_field(point.failure));
@@ -131,10 +128,7 @@ Json point_json(const ChartPoint& point, const ChartTable& table) {
   json.set("set", point.overrides);
   json.set("formulation", point.formulation);
   json.set("kernel", point.kernel);
-  if (point.support)
-    json.set("support", *point.support);
-  else
-    json.set("support", nullptr);
+  json.set("support", point.support);
   json.set("order", point.order);
   json.set("stabiliser", point.stabiliser);
   json.set("spacing", point.spacing);
@@ -148,10 +142,7 @@ Json point_json(const ChartPoint& point, const ChartTable& table) {
   for (std::size_t q = 0; q < table.quantities.size(); ++q)
     if (point.front[q]) fronts.push_back(table.quantities[q]);
   json.set("front", fronts);
-  if (point.failure.empty())
-    json.set("failure", nullptr);
-  else
-    json.set("failure", point.failure);
+  json.set_or_null("failure", point.failure);
   return json;
 }
 

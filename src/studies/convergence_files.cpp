@@ -1,7 +1,6 @@
 // A convergence study in its files.
 #include <fmt/format.h>
 
-#include <cmath>
 #include <iterator>
 
 #include "tlsph/io/csv.hpp"
@@ -11,11 +10,6 @@
 
 namespace tlsph {
 namespace {
-
-/// A cell of the CSV: 17 digits, nothing where there is no number.
-std::string cell(double value) {
-  return std::isfinite(value) ? fmt::format("{:.17g}", value) : "";
-}
 
 /// A row a run; what the study varies beside the spacing are columns with the names of the keys.
 std::string runs_csv(const ConvergenceTable& table) {
@@ -29,13 +23,13 @@ std::string runs_csv(const ConvergenceTable& table) {
   csv.append(",failure\n");
   for (const ConvergenceRow& row : table.rows) {
     fmt::format_to(end, "{:.17g},{},{},{},{},{}", row.spacing, row.particles, row.steps,
-                   cell(row.dt), cell(row.wall_seconds), row.formulation);
+                   csv_number(row.dt), csv_number(row.wall_seconds), row.formulation);
     for (const std::string& value : row.over) fmt::format_to(end, ",{}", csv_field(value));
     if (!table.sample_key.empty()) fmt::format_to(end, ",{}", csv_field(row.sample));
-    for (const double error : row.errors) fmt::format_to(end, ",{}", cell(error));
-    for (const double order : row.orders) fmt::format_to(end, ",{}", cell(order));
+    for (const double error : row.errors) fmt::format_to(end, ",{}", csv_number(error));
+    for (const double order : row.orders) fmt::format_to(end, ",{}", csv_number(order));
     for (std::size_t v = 0; v < table.value_names.size(); ++v)
-      fmt::format_to(end, ",{}", v < row.values.size() ? cell(row.values[v]) : "");
+      fmt::format_to(end, ",{}", v < row.values.size() ? csv_number(row.values[v]) : "");
     fmt::format_to(end, ",{}\n", csv_field(row.failure));
   }
   return csv;
@@ -49,9 +43,9 @@ std::string spread_csv(const ConvergenceTable& table) {
     for (std::size_t q = 0; q < table.quantities.size(); ++q)
       fmt::format_to(std::back_inserter(csv), "{},{:.17g},{},{},{},{},{},{},{},{},{}\n",
                      csv_field(level.series), level.spacing, level.particles, level.runs,
-                     level.failed, table.quantities[q], cell(level.errors[q].best),
-                     cell(level.errors[q].median), cell(level.errors[q].worst),
-                     cell(level.median_orders[q]), cell(level.worst_orders[q]));
+                     level.failed, table.quantities[q], csv_number(level.errors[q].best),
+                     csv_number(level.errors[q].median), csv_number(level.errors[q].worst),
+                     csv_number(level.median_orders[q]), csv_number(level.worst_orders[q]));
   return csv;
 }
 
@@ -69,10 +63,7 @@ Json row_json(const ConvergenceRow& row, const ConvergenceTable& table) {
     json.set(table.quantities[q], row.errors[q]);
   for (std::size_t q = 0; q < table.quantities.size(); ++q)
     json.set("order_" + table.quantities[q], row.orders[q]);
-  if (row.failure.empty())
-    json.set("failure", nullptr);
-  else
-    json.set("failure", row.failure);
+  json.set_or_null("failure", row.failure);
   return json;
 }
 

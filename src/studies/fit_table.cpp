@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "tlsph/io/csv.hpp"
 #include "tlsph/io/files.hpp"
 #include "tlsph/io/json.hpp"
+#include "tlsph/io/record.hpp"
 #include "tlsph/studies/fit.hpp"
 
 namespace tlsph {
@@ -28,6 +28,32 @@ std::string indented(const std::string& text) {
   return result;
 }
 
+Record pilot_record(const Pilot& pilot) {
+  Record record;
+  record.set("spacing", pilot.spacing);
+  record.set("particles", pilot.particles);
+  record.set("steps", pilot.steps);
+  record.set("setup_seconds", pilot.setup);
+  record.set("stepping_seconds", pilot.stepping);
+  record.set("charged_seconds", pilot.charged);
+  record.set("error", pilot.error);
+  return record;
+}
+
+/// A line a pilot.
+void write_pilots(const std::vector<FitFamily>& families, const std::filesystem::path& path) {
+  const auto line = [](const std::string& family, const Pilot& pilot) {
+    Record record;
+    record.set("family", family);
+    record.append(pilot_record(pilot));
+    return record;
+  };
+  std::string csv = csv_line(line("", {}).names());
+  for (const FitFamily& each : families)
+    for (const Pilot& pilot : each.pilots) csv += csv_line(line(each.label, pilot).cells());
+  write_text_file(path, csv);
+}
+
 Json family_json(const FitFamily& family) {
   Json json;
   json.set("family", family.label);
@@ -35,17 +61,7 @@ Json family_json(const FitFamily& family) {
   json.set("note", family.note);
   json.set("reaches", family.reaches);
   json.make_list("pilots");
-  for (const Pilot& pilot : family.pilots) {
-    Json run;
-    run.set("spacing", pilot.spacing);
-    run.set("particles", pilot.particles);
-    run.set("steps", pilot.steps);
-    run.set("setup_seconds", pilot.setup);
-    run.set("stepping_seconds", pilot.stepping);
-    run.set("charged_seconds", pilot.charged);
-    run.set("error", pilot.error);
-    json.append("pilots", run);
-  }
+  for (const Pilot& pilot : family.pilots) json.append("pilots", pilot_record(pilot).json());
   if (!family.reaches) return json;
   json.set("order", family.order);
   json.set("spacing", family.spacing);
@@ -102,13 +118,7 @@ std::string FitTable::verdict_text() const {
 }
 
 void FitTable::write(const std::filesystem::path& directory) const {
-  std::string csv = "family,spacing,particles,steps,setup_seconds,stepping_seconds,error\n";
-  const auto end = std::back_inserter(csv);
-  for (const FitFamily& each : families)
-    for (const Pilot& pilot : each.pilots)
-      fmt::format_to(end, "{},{:.17g},{},{},{},{},{:.17g}\n", csv_field(each.label), pilot.spacing,
-                     pilot.particles, pilot.steps, pilot.setup, pilot.stepping, pilot.error);
-  write_text_file(directory / "fit.csv", csv);
+  write_pilots(families, directory / "fit.csv");
   Json json;
   json.set("scene", scene);
   json.set("version", version);

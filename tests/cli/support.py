@@ -6,6 +6,7 @@ import os
 import pathlib
 import subprocess
 import tempfile
+import time
 import unittest
 
 PROGRAM = os.environ.get("TLSPH_PROGRAM", "")
@@ -137,6 +138,14 @@ class ProgramTest(unittest.TestCase):
         self.addCleanup(process.wait)
         self.addCleanup(process.kill)
         return process
+
+    def wait_for(self, condition, process, what="the study"):
+        """Until the condition holds; the process must not end before that."""
+        limit = time.monotonic() + 120
+        while not condition():
+            self.assertIsNone(process.poll(), f"{what} ended before it could be interrupted")
+            self.assertLess(time.monotonic(), limit)
+            time.sleep(0.02)
 
     def run_scene(self, text, *arguments, name="scene.toml", out="results"):
         """Runs a scene that must succeed; returns the folder of its results."""

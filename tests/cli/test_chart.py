@@ -82,11 +82,7 @@ class Fronts(ChartTest):
     def test_interrupt_keeps_what_is_done(self):
         self.write("scene.toml", LINEAR)
         process = self.start("chart", "scene.toml", "--budget", "10min", "--out", "study", "--quiet")
-        limit = time.monotonic() + 60
-        while not (self.folder / "study/chart.json").is_file():
-            self.assertIsNone(process.poll(), "the study ended before it could be interrupted")
-            self.assertLess(time.monotonic(), limit)
-            time.sleep(0.02)
+        self.wait_for((self.folder / "study/chart.json").is_file, process)
 
         process.send_signal(signal.SIGINT)
 

@@ -1,47 +1,21 @@
-"""tlsph converge: the table, its files and figure, what it refuses, what it keeps."""
+"""tlsph converge: the table, its files and figure."""
 
 import csv
 import json
 import os
 import pty
 import re
-import signal
-import time
 import unittest
 
 import numpy as np
 
-from support import BAR, PROGRAM, SHEET, SOURCE, ProgramTest
+from convergence import SMOOTH, Convergence
+from support import PROGRAM, SHEET, SOURCE
 
-# The exact solution is that of a linear bar.
-SMOOTH = BAR.replace("rise = 5e-3", "rise = 1e-2").replace("[material]", '[material]\nlaw = "linear-elastic"')
 HEADER = (
     "spacing,particles,steps,dt,wall_seconds,formulation,displacement,velocity,stress,"
     "order_displacement,order_velocity,order_stress,failure"
 )
-
-
-class Convergence(ProgramTest):
-    def converge(self, *arguments, code=0, scene=SMOOTH, **options):
-        self.write("scene.toml", scene)
-        done = self.tlsph("converge", "scene.toml", *arguments, **options)
-        self.assertEqual(done.returncode, code, done.stderr)
-        return done
-
-    def rows(self, out="study"):
-        with open(self.folder / out / "convergence.csv", encoding="utf-8", newline="") as file:
-            return list(csv.DictReader(file))
-
-    def report(self, out="study"):
-        return json.loads((self.folder / out / "convergence.json").read_text(encoding="utf-8"))
-
-    @staticmethod
-    def numbers(rows, name):
-        return np.array([float(row[name]) for row in rows])
-
-    @staticmethod
-    def without_figure():
-        return dict(os.environ, TLSPH_PLOT="/no/such/plot.py")
 
 
 class Table(Convergence):
@@ -273,108 +247,6 @@ class Figures(Convergence):
 
         self.assertIn("draw it with: python3 /no/such/plot.py convergence study/convergence.csv", done.stdout)
         self.assertFalse((self.folder / "study/convergence.png").exists())
-
-
-class Refusals(Convergence):
-    def test_bad_input(self):
-        free = SMOOTH.replace('[reference]\nexact = "bar-wave"\n', "")
-        blind = re.sub(r"\[\[probe\]\]\n(?:[^\[\n].*\n)*", "", free)
-        two = ["--spacing", "0.1,0.05"]
-        for arguments, scene, message in (
-            ([], SMOOTH, "--spacing"),
-            (["--spacing"], SMOOTH, "--spacing"),
-            (["--spacing", ""], SMOOTH, "--spacing"),
-            (["--spacing", "0.1"], SMOOTH, "--spacing: 1 given; at least 2"),
-            (["--spacing", "0.1,fine"], SMOOTH, "fine"),
-            (["--spacing", "0.1,0.05x"], SMOOTH, "0.05x"),
-            (["--spacing", "0.1,nan"], SMOOTH, "nan is no spacing"),
-            (["--spacing", "0.1,inf"], SMOOTH, "inf is no spacing"),
-            (["--spacing", "0.1,0"], SMOOTH, "0 is no spacing"),
-            (["--spacing", "0.1,-0.05"], SMOOTH, "-0.05 is no spacing"),
-            (["--spacing", "0.1,0.05,0.1"], SMOOTH, "0.1 stands twice"),
-            (["--spacing", "0.1,0.07"], SMOOTH, "spacing"),
-            (["--spacing", "0.1,1e-12"], SMOOTH, "spacing"),
-            ([*two, "--formulation", "finite-elements"], SMOOTH, "finite-elements"),
-            ([*two, "--formulation", "mirror,mirror"], SMOOTH, "mirror stands twice"),
-            ([*two, "--formulation", ""], SMOOTH, "--formulation"),
-            ([*two, "--set", "material.poisson=0.5"], SMOOTH, "poisson"),
-            ([*two, "--set", "no.such=1"], SMOOTH, "no"),
-            ([*two, "--threads", "0"], SMOOTH, "--threads"),
-            ([*two, "--seed", "1,2"], SMOOTH, "--seed: the particles do not depend on it"),
-            ([*two, "--seed", "1,x"], SMOOTH, "--seed"),
-            ([*two, "--over", "kernel.support"], SMOOTH, "key=a,b"),
-            ([*two, "--over", "body.spacing=0.1,0.2"], SMOOTH, "--spacing"),
-            ([*two, "--over", "kernel.suport=2,3"], SMOOTH, "kernel.suport"),
-            ([*two, "--value", "tip.cauchy_xx"], SMOOTH, "--value"),
-            ([*two, "--value", "top.cauchy_xx.max"], SMOOTH, "no probe records top.cauchy_xx"),
-            ([*two, "--cloud", "a.csv,b.csv"], SMOOTH, "--cloud"),
-            (["--cloud", "a.csv,b.csv"], SMOOTH, "there is no file"),
-            (["--cloud", "a.csv,a.csv"], SMOOTH, "--cloud: a.csv stands twice"),
-            (["--cloud", "a.csv,b.csv", "--seed", "1,2"], SMOOTH, "--seed: a cloud has no seed"),
-            (two, free, "at least 3"),
-            (["--spacing", "0.1,0.05,0.025"], blind, "nothing to compare"),
-            (two, "dimension = 7", "dimension"),
-            (["--spacing", "0.2,0.1,0.05", "--formulation", "stress-point,mirror"], SHEET, "mirror"),
-        ):
-            with self.subTest(arguments):
-                done = self.converge(*arguments, code=2, scene=scene)
-
-                self.assertIn(message, done.stderr)
-                self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
-                self.assertEqual(done.stdout, "")
-                self.assertEqual(self.listing(), ["scene.toml"])
-
-    def test_no_such_scene(self):
-        done = self.tlsph("converge", "nothing.toml", "--spacing", "0.1,0.05")
-
-        self.assertEqual(done.returncode, 2)
-        self.assertIn("nothing.toml", done.stderr)
-
-    def test_output_in_the_way(self):
-        self.write("study", "a file, not a folder")
-
-        done = self.converge("--spacing", "0.1,0.05", "--out", "study", code=4)
-
-        self.assertIn("study", done.stderr)
-
-
-class Failures(Convergence):
-    def test_failed_run_is_a_row(self):
-        # A step of 1.5 ms holds at the spacings 0.2 and 0.1 (critical 5.4 and 2.7 ms), not at 0.0125.
-        done = self.converge(
-            "--spacing", "0.2,0.0125,0.1", "--out", "study", "--set", "time.step=1.5e-3",
-            "--set", "time.end=0.5", "--set", "material.law=neo-hookean", code=3,
-        )
-
-        rows = self.rows()
-        self.assertEqual([bool(row["failure"]) for row in rows], [False, False, True])
-        self.assertEqual(rows[2]["displacement"], "")
-        self.assertGreater(float(rows[1]["displacement"]), 0.0)
-        self.assertIn("failed: " + rows[2]["failure"], done.stdout)
-        self.assertIn("1 of 3 runs failed", done.stderr)
-        self.assertEqual(self.report()["rows"][2]["failure"], rows[2]["failure"])
-
-    def assert_keeps_what_is_done(self, number, code):
-        self.write("scene.toml", SMOOTH)
-        process = self.start("converge", "scene.toml", "--spacing", "0.1,0.05,0.0001", "--out", "study",
-                             "--threads", "1", "--quiet", "--set", "time.end=1.0")
-        limit = time.monotonic() + 120
-        while not (self.folder / "study/convergence.csv").is_file() or len(self.rows()) < 2:
-            self.assertIsNone(process.poll(), "the study ended before it could be interrupted")
-            self.assertLess(time.monotonic(), limit)
-            time.sleep(0.02)
-
-        process.send_signal(number)
-
-        self.assertEqual(process.wait(timeout=120), code)
-        self.assertEqual([float(row["spacing"]) for row in self.rows()], [0.1, 0.05])
-        self.assertTrue(self.report()["interrupted"])
-
-    def test_interrupt(self):
-        self.assert_keeps_what_is_done(signal.SIGINT, 130)
-
-    def test_terminate(self):
-        self.assert_keeps_what_is_done(signal.SIGTERM, 143)
 
 
 if __name__ == "__main__":

@@ -1,7 +1,6 @@
 """Signals, kill -9 and --resume: a run in pieces is the run in one, bit for bit."""
 
 import signal
-import time
 import unittest
 
 import h5py
@@ -19,13 +18,6 @@ class Pieces(ProgramTest):
     def start_long_run(self):
         self.write("long.toml", LONG)
         return self.start("run", "long.toml", "--out", "pieces", "--threads", "1", "--quiet")
-
-    def wait_for(self, condition, process):
-        limit = time.monotonic() + 120
-        while not condition():
-            self.assertIsNone(process.poll(), "the run ended before it could be interrupted")
-            self.assertLess(time.monotonic(), limit)
-            time.sleep(0.02)
 
     def has_rows(self, count):
         path = self.folder / "pieces/probes.csv"
@@ -55,7 +47,7 @@ class Pieces(ProgramTest):
 
     def test_kill_9(self):
         process = self.start_long_run()
-        self.wait_for(lambda: self.has_checkpoint() and self.has_rows(100), process)
+        self.wait_for(lambda: self.has_checkpoint() and self.has_rows(100), process, "the run")
 
         process.kill()
         process.wait()
@@ -69,7 +61,7 @@ class Pieces(ProgramTest):
 
     def assert_stops_and_goes_on(self, number, code):
         process = self.start_long_run()
-        self.wait_for(lambda: self.has_rows(20), process)
+        self.wait_for(lambda: self.has_rows(20), process, "the run")
 
         process.send_signal(number)
 
@@ -95,13 +87,41 @@ class Pieces(ProgramTest):
 
     def test_resume_of_another_scene_is_bad_input(self):
         process = self.start_long_run()
-        self.wait_for(self.has_checkpoint, process)
+        self.wait_for(self.has_checkpoint, process, "the run")
         process.kill()
         process.wait()
 
         done = self.tlsph("run", "long.toml", "--out", "pieces", "--resume", "--set", "body.spacing=0.05")
 
         self.assertEqual(done.returncode, 2, done.stderr)
+
+    def test_resume_stands_on_the_points_it_began_with(self):
+        square = [f"{x / 4},{y / 4},{'end' if x == 4 else ''}" for x in range(5) for y in range(5)]
+        points = "x,y,tag\n" + "\n".join(square) + "\n"
+        self.write("points.csv", points)
+        self.run_scene(SHEET.replace("spacing = 0.1", 'cloud = "points.csv"'), name="cloud.toml", out="pieces")
+        again = ("run", "cloud.toml", "--out", "pieces", "--quiet", "--resume")
+        for change, changed in {
+            "moved": points.replace("0.5,0.5,", "0.5,0.51,"),
+            "one more": points + "0.6,0.6,\n",
+            "tag": points.replace("1.0,0.25,end", "1.0,0.25,"),
+        }.items():
+            with self.subTest(change):
+                self.assertNotEqual(changed, points)
+                self.write("points.csv", changed)
+                before = {path: path.read_bytes() for path in (self.folder / "pieces").iterdir()}
+
+                done = self.tlsph(*again)
+
+                self.assertEqual(done.returncode, 2, done.stderr)
+                self.assertRegex(done.stderr, r"^cloud\.toml:4:9: body\.cloud: the points of points\.csv are no longer")
+                self.assertIn("run anew without --resume", done.stderr)
+                self.assertEqual({path: path.read_bytes() for path in (self.folder / "pieces").iterdir()}, before)
+
+        self.write("points.csv", "# the same points\n" + points)
+        done = self.tlsph(*again)
+
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
 
 
 if __name__ == "__main__":

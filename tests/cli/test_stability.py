@@ -10,7 +10,8 @@ from support import BAR, SOURCE, SHEET, ProgramTest
 
 HEADER = (
     "name,method,formulation,kernel,support,body,jitter,poisson,stretch,particles,verdict,refusal,acoustic,imbalance,"
-    "unrest,bound,limit,soft,excursion,negative,growth,run,dt_ratio,expected,seen,amplitude,energy_drift,steps,lost_at"
+    "unrest,critical_step,true_limit,soft_modes,excursion,negative,growth,label,dt_ratio,growth_expected,growth_seen,"
+    "amplitude,energy_drift,steps,lost_at"
 )
 #  SHEET has 11 x 11 particles.
 PAIR = r"^stress-point cells( \+ S)?, jitter 0.2, nu 0.3, stretch 1$"
@@ -40,14 +41,14 @@ class Atlas(Stability):
         self.assertEqual(text.splitlines()[0], HEADER)
         rows = self.rows()
         self.assertEqual([row["verdict"] for row in rows], ["stable"] * 2 + ["soft"] * 2)
-        self.assertEqual([row["run"] for row in rows], ["0.95", "1.02"] * 2)
+        self.assertEqual([row["label"] for row in rows], ["0.95", "1.02"] * 2)
         self.assertEqual({row["particles"] for row in rows}, {"121"})
         for row in rows:
-            self.assertAlmostEqual(float(row["bound"]) / float(row["limit"]), 1.0, delta=5e-3)
-            above = row["run"] == "1.02"
+            self.assertAlmostEqual(float(row["critical_step"]) / float(row["true_limit"]), 1.0, delta=5e-3)
+            above = row["label"] == "1.02"
             self.assertEqual(int(row["lost_at"] or 0) > 0, above, row["name"])
             if above:
-                self.assertAlmostEqual(float(row["seen"]) / float(row["expected"]), 1.0, delta=0.03)
+                self.assertAlmostEqual(float(row["growth_seen"]) / float(row["growth_expected"]), 1.0, delta=0.03)
         self.assertAlmostEqual(float(rows[0]["excursion"]), 1.0, delta=0.05)
         self.assertGreater(float(rows[2]["excursion"]), 10.0)
         report = self.report()

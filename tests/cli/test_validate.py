@@ -2,6 +2,7 @@
 
 import json
 import os
+import pathlib
 import re
 import unittest
 
@@ -24,6 +25,18 @@ def rows_of(page):
     return rows
 
 
+def pages_below(folder):
+    """Pages of its folders, as paths from there."""
+    return sorted(str(path.relative_to(folder)) for path in folder.glob("*/README.md"))
+
+
+def links_of(page):
+    """Folders of this repository that a page links to, itself or a page of theirs."""
+    targets = re.findall(r"\]\(([^)#:]+)\)", page.read_text(encoding="utf-8"))
+    paths = [pathlib.Path(os.path.normpath(page.parent / target)) for target in targets]
+    return [path.parent if path.suffix else path for path in paths]
+
+
 class Validate(ProgramTest):
     def test_quick_cases_hold_and_the_page_says_so(self):
         done = self.tlsph("validate", "--quick", "--out", "results")
@@ -40,14 +53,29 @@ class Validate(ProgramTest):
                 self.assertEqual(page[key][0::2], (reference, tolerance))
                 self.assertEqual(page[key][3], verdict)
 
-    def test_each_case_has_its_folder_on_the_page(self):
-        page = rows_of((VALIDATION / "README.md").read_text(encoding="utf-8"))
-        cases = {case for case, _, _ in page}
-        pages = {"plotting", "peers", "stability", "chart"}
-        folders = {path.parent.name for path in VALIDATION.glob("*/README.md")} - pages
+    def cases(self):
+        """The program's own list."""
+        return set(re.search(r"choose from (.*)", self.tlsph("validate", "none").stderr)[1].split(" | "))
 
-        self.assertEqual(cases, folders)
+    def test_the_page_holds_each_case_and_each_has_its_folder(self):
+        page = rows_of((VALIDATION / "README.md").read_text(encoding="utf-8"))
+        cases = self.cases()
+
+        self.assertGreater(len(cases), 15)
+        self.assertEqual({case for case, _, _ in page}, cases)
+        self.assertLessEqual({f"{case}/README.md" for case in cases}, set(pages_below(VALIDATION)))
         self.assertFalse([key for key, row in page.items() if row[3] == "FAILS"])
+
+    def test_a_folder_that_is_no_case_is_spoken_of_on_another_page(self):
+        cases = self.cases()
+        for page in pages_below(VALIDATION):
+            name = page.split("/")[0]
+            if name in cases:
+                continue
+            with self.subTest(name):
+                others = {SOURCE / "README.md", *VALIDATION.glob("**/README.md")} - {VALIDATION / page}
+                links = [target for other in others for target in links_of(other)]
+                self.assertIn(VALIDATION / name, links)
 
     def test_only_the_named_case_runs(self):
         done = self.tlsph("validate", "three_materials", "--out", "results", "--quiet")

@@ -80,11 +80,15 @@ struct ByName {
 /// A file of points in a triangle of 0.16 m, in no order: an even division of its edges and, a
 /// little displaced, the nodes between.
 inline std::string triangle_of_points() {
-  static const struct PointsFile {
+  struct PointsFile {
+    PointsFile() = default;
+    PointsFile(const PointsFile&) = delete;
+    PointsFile& operator=(const PointsFile&) = delete;
+    ~PointsFile() { std::filesystem::remove(path); }
     std::filesystem::path path = std::filesystem::temp_directory_path() /
                                  ("tlsph_property_" + std::to_string(::getpid()) + ".csv");
-    ~PointsFile() { std::filesystem::remove(path); }
-  } points;
+  };
+  static const PointsFile points;
   const auto& path = points.path;
   constexpr int n = 10;
   std::ofstream file(path);

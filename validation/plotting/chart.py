@@ -9,6 +9,7 @@ from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.transforms import ScaledTranslation
 
 from plotting.data import PlotError, listing, need
 from plotting.style import COLOURS, FAINT, INK, WIDTH
@@ -17,6 +18,8 @@ from plotting.style import COLOURS, FAINT, INK, WIDTH
 FORMULATIONS = {"stress-point": (COLOURS[0], "o"), "consistent": (COLOURS[2], "s"), "variational": (COLOURS[1], "^"),
                 "mirror": (COLOURS[3], "D"), "thesis": (COLOURS[4], "v")}
 PEER_MARKERS = "XP*hdp"
+LIST_SIZE = 6.2  # points, of the names below a panel
+LINE_HEIGHT = 1.2 * LIST_SIZE / 72  # inches
 
 
 def arguments(command):
@@ -64,24 +67,24 @@ def draw(options):
             raise PlotError(f"{path}: no error {name}; it has: {listing(quantities)}")
     across = min(len(wanted), 3)
     down = -(-len(wanted) // across)
-    named = max(sum(name in point["front"] for point in points) for name in wanted)  # a line each below
-    figure, all_axes = plt.subplots(down, across, squeeze=False, figsize=(
-        WIDTH if across > 1 else 0.75 * WIDTH, (4.4 + 0.16 * max(0, named - 9)) * down))
+    figure, all_axes = plt.subplots(down, across, squeeze=False)
     for axes in all_axes.flat[len(wanted):]:
         axes.set_visible(False)
-    for axes, name in zip(all_axes.flat, wanted):
-        panel(axes, quantities.index(name), name, points)
+    lines = max(panel(axes, quantities.index(name), name, points) for axes, name in zip(all_axes.flat, wanted))
+    figure.set_size_inches(WIDTH if across > 1 else 0.75 * WIDTH, (3.7 + lines * LINE_HEIGHT) * down)
     for axes in all_axes[:, 0]:
         axes.set_ylabel("relative error")
     first = all_axes[0, 0]
     handles, labels = first.get_legend_handles_labels()
     if len(labels) > 1:
         # Wider than its axes: kept out of the layout, which it would stretch; blank lines above the titles hold its
-        # place.
+        # place, 15 points above the axes.
         columns = 8 if across > 1 else 5
         first.set_title(" \n" * -(-len(labels) // columns) + first.get_title(loc="left"), loc="left")
-        first.legend(handles, labels, ncols=columns, loc="lower left", bbox_to_anchor=(-0.05, 1.05), borderaxespad=0.2,
-                     columnspacing=0.9, handletextpad=0.2, handlelength=1.2).set_in_layout(False)
+        above = first.transAxes + ScaledTranslation(0, 15 / 72, figure.dpi_scale_trans)
+        first.legend(handles, labels, ncols=columns, loc="lower left", bbox_to_anchor=(-0.05, 1.0),
+                     bbox_transform=above, borderaxespad=0, borderpad=0, labelspacing=0.15, columnspacing=0.9,
+                     handletextpad=0.2, handlelength=1.2).set_in_layout(False)
     return figure, path.with_suffix(".png")
 
 
@@ -109,18 +112,26 @@ def panel(axes, q, name, points):
     axes.set_title(name, loc="left")
     axes.set_xlabel("stepping time [s]")
     axes.margins(x=0.12, y=0.12)
-    explain(axes, q, front)
+    return explain(axes, q, front)
 
 
 def explain(axes, q, front):
-    """Numbers at the points of the front, thinned where they would touch, and their names below the panel."""
+    """Numbers at the points of the front, thinned where they would touch, and their names in lines below the panel;
+    how many lines these are. Below and left of a front there is nothing; a point that has another one close to its
+    left carries its number on the other side."""
     lines, last = [], None
     for point in front:
         here = np.log10([point["time"], point["errors"][q]])
-        if last is not None and np.hypot(*(here - last)) < 0.15 and point is not front[-1]:
+        across, along = (np.inf, np.inf) if last is None else np.abs(here - last)
+        if np.hypot(across, along) < 0.15 and point is not front[-1]:
             continue
+        beside = across < 0.9 and along < 0.25
         last = here
         lines.append(f"{len(lines) + 1}  {short(point)}")
-        axes.annotate(f"{len(lines)}", xy=(point["time"], point["errors"][q]), xytext=(4, 4),
-                      textcoords="offset points", fontsize=7, color=INK)
-    axes.text(0.0, -0.2, "\n".join(lines), transform=axes.transAxes, fontsize=6.2, va="top", color=INK)
+        axes.annotate(f"{len(lines)}", xy=(point["time"], point["errors"][q]),
+                      xytext=(4, 3) if beside else (-3, -3), textcoords="offset points", fontsize=7, color=INK,
+                      ha="left" if beside else "right", va="bottom" if beside else "top")
+    # Below the ticks and the label of the axis, whatever the height of the panel.
+    axes.annotate("\n".join(lines), xy=(0.0, 0.0), xycoords="axes fraction", xytext=(0, -38),
+                  textcoords="offset points", fontsize=LIST_SIZE, va="top", color=INK)
+    return len(lines)

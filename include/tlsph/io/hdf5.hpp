@@ -34,6 +34,8 @@ class Hdf5File {
   /// An existing file, to be read and changed.
   static Hdf5File open(const std::filesystem::path& path);
   static Hdf5File open_read_only(const std::filesystem::path& path);
+  Hdf5File(const Hdf5File&) = delete;
+  Hdf5File& operator=(const Hdf5File&) = delete;
   Hdf5File(Hdf5File&&) noexcept;
   Hdf5File& operator=(Hdf5File&&) noexcept;
   /// Closes; a failure is silent here, so call `close` where it matters.

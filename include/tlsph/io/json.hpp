@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,6 +48,9 @@ class Json {
     else
       set_integer(path, static_cast<std::int64_t>(value));
   }
+  /// null for nothing: an empty optional, an empty text.
+  void set(std::string_view path, const std::optional<double>& value);
+  void set_or_null(std::string_view path, std::string_view text);
   /// Adds `element` to the list at `path`, which is made if it is not there.
   void append(std::string_view path, const Json& element);
   /// Makes the list at `path` if it is not there, so that an empty one is written too.

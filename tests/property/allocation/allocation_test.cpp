@@ -3,53 +3,14 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
-#include <atomic>
-#include <cstdlib>
-
+#include "counting_allocator.hpp"
 #include "property/bodies.hpp"
 #include "tlsph/core/parallel.hpp"
 #include "tlsph/dynamics/excerpt.hpp"
 #include "tlsph/dynamics/sweep.hpp"
 #include "tlsph/observe/probes.hpp"
 
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
-
-namespace {
-std::atomic<long> allocations{0};
-}
-
-extern "C" {
-void* __libc_malloc(std::size_t size);
-void* __libc_calloc(std::size_t count, std::size_t size);
-void* __libc_realloc(void* block, std::size_t size);
-void* __libc_memalign(std::size_t alignment, std::size_t size);
-
-void* malloc(std::size_t size) {
-  ++allocations;
-  return __libc_malloc(size);
-}
-void* calloc(std::size_t count, std::size_t size) {
-  ++allocations;
-  return __libc_calloc(count, size);
-}
-void* realloc(void* block, std::size_t size) {
-  ++allocations;
-  return __libc_realloc(block, size);
-}
-void* memalign(std::size_t alignment, std::size_t size) {
-  ++allocations;
-  return __libc_memalign(alignment, size);
-}
-void* aligned_alloc(std::size_t alignment, std::size_t size) {
-  ++allocations;
-  return __libc_memalign(alignment, size);
-}
-int posix_memalign(void** block, std::size_t alignment, std::size_t size) {
-  ++allocations;
-  *block = __libc_memalign(alignment, size);
-  return *block == nullptr ? 12 : 0;  // ENOMEM
-}
-}
+#ifdef TLSPH_COUNTS_ALLOCATIONS
 
 namespace tlsph::property {
 namespace {

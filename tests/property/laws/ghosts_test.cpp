@@ -156,7 +156,7 @@ LatticeStencil<1> summed_over_rows(const LatticeStencil<2>& stencil) {
   for (const auto& [offset, sum] : sums) {
     result.offset.push_back({offset});
     result.value.push_back(sum.first);
-    result.gradient.push_back(Vector<1>(sum.second));
+    result.gradient.emplace_back(sum.second);
   }
   return result;
 }

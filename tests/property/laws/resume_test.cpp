@@ -86,21 +86,21 @@ fixed = true
 class Resume : public testing::TestWithParam<Case> {
  protected:
   void SetUp() override {
-    directory_ = fs::temp_directory_path() /
-                 ("tlsph_resume_" + GetParam().name + '_' + std::to_string(::getpid()));
-    fs::remove_all(directory_);
+    directory = fs::temp_directory_path() /
+                ("tlsph_resume_" + GetParam().name + '_' + std::to_string(::getpid()));
+    fs::remove_all(directory);
   }
-  void TearDown() override { fs::remove_all(directory_); }
+  void TearDown() override { fs::remove_all(directory); }
 
   [[nodiscard]] RunOptions options(const char* name) const {
     RunOptions result;
-    result.out = directory_ / name;
+    result.out = directory / name;
     result.threads = 1;
     return result;
   }
   static Scene scene() { return read_scene_text(GetParam().text, GetParam().name); }
 
-  fs::path directory_;
+  fs::path directory;
 };
 
 /// Every number of both files, compared as bits.
@@ -111,12 +111,14 @@ void expect_same_bits(const fs::path& one, const fs::path& other) {
   for (const std::string group : {"/frames", "/series"}) {
     ASSERT_EQ(a.names(group), b.names(group));
     for (const std::string& name : a.names(group)) {
-      const auto x = a.read_doubles(group + '/' + name);
-      const auto y = b.read_doubles(group + '/' + name);
-      ASSERT_EQ(x.shape, y.shape) << group << '/' << name;
+      std::string item = group;
+      item.append("/").append(name);
+      const auto x = a.read_doubles(item);
+      const auto y = b.read_doubles(item);
+      ASSERT_EQ(x.shape, y.shape) << item;
       ASSERT_FALSE(x.values.empty());
       EXPECT_EQ(std::memcmp(x.values.data(), y.values.data(), x.values.size() * sizeof(double)), 0)
-          << group << '/' << name;
+          << item;
       ++compared;
     }
   }
@@ -127,7 +129,7 @@ void expect_same_bits(const fs::path& one, const fs::path& other) {
 TEST_P(Resume, FromACheckpointOnTheWayEndsInTheSameBits) {
   RunOptions whole = options("whole");
   const Summary first = run(scene(), whole);
-  fs::copy(directory_ / "whole", directory_ / "again", fs::copy_options::recursive);
+  fs::copy(directory / "whole", directory / "again", fs::copy_options::recursive);
   ASSERT_GT(first.steps, 61);
   ASSERT_NE(first.steps % 60, 0);
 
@@ -139,7 +141,7 @@ TEST_P(Resume, FromACheckpointOnTheWayEndsInTheSameBits) {
   EXPECT_EQ(second.energy.drift_relative, first.energy.drift_relative);
   EXPECT_EQ(second.energy.external_work, first.energy.external_work);
   EXPECT_EQ(second.linear_momentum_drift, first.linear_momentum_drift);
-  expect_same_bits(directory_ / "whole/run.h5", directory_ / "again/run.h5");
+  expect_same_bits(directory / "whole/run.h5", directory / "again/run.h5");
 }
 
 /// A run that was asked to stop before its first step, and then to go on.
@@ -156,7 +158,7 @@ TEST_P(Resume, AfterAnInterruptionEndsInTheSameBits) {
   const Summary second = run(scene(), stopped);
 
   EXPECT_FALSE(second.interrupted);
-  expect_same_bits(directory_ / "whole/run.h5", directory_ / "stopped/run.h5");
+  expect_same_bits(directory / "whole/run.h5", directory / "stopped/run.h5");
 }
 
 TEST_P(Resume, OfAnotherSceneIsRefused) {

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 #include "support.hpp"
 #include "tlsph/core/error.hpp"
@@ -42,6 +43,16 @@ TEST(Json, DoublesComeBackBitForBit) {
   ASSERT_EQ(read.size(), values.size());
   for (std::size_t i = 0; i < values.size(); ++i)
     ASSERT_EQ(std::bit_cast<std::uint64_t>(read[i]), std::bit_cast<std::uint64_t>(values[i]));
+}
+
+TEST(Json, NothingIsNull) {
+  Json json;
+  json.set("known", std::optional<double>(0.5));
+  json.set("unknown", std::optional<double>());
+  json.set_or_null("text", "said");
+  json.set_or_null("silent", "");
+
+  EXPECT_EQ(json.dump(-1), R"({"known":0.5,"unknown":null,"text":"said","silent":null})");
 }
 
 TEST(Json, WhatIsNoNumberBecomesNull) {

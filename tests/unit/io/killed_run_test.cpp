@@ -48,11 +48,15 @@ struct Progress {
 };
 
 class KilledRun : public test::SmallRun, public testing::WithParamInterface<Moment> {
+ public:
+  KilledRun(const KilledRun&) = delete;
+  KilledRun& operator=(const KilledRun&) = delete;
+  ~KilledRun() override { ::munmap(progress, sizeof(Progress)); }
+
  protected:
   KilledRun()
       : progress(static_cast<Progress*>(::mmap(nullptr, sizeof(Progress), PROT_READ | PROT_WRITE,
                                                MAP_SHARED | MAP_ANONYMOUS, -1, 0))) {}
-  ~KilledRun() override { ::munmap(progress, sizeof(Progress)); }
 
   static void write(RunFile& run, std::size_t first, Progress* progress) {
     for (std::size_t frame = first; frame < all_frames; ++frame) {

@@ -58,7 +58,8 @@ TEST_F(PointsFile, IsRefusedWithLineAndColumn) {
            Case{"x,y\n", "points.csv:1:1: no points below the header"},
            Case{"", "points.csv:1:1: empty"},
        })
-    EXPECT_THAT(message_of<InputError>([&] { (void)read(text); }), HasSubstr(message)) << text;
+    EXPECT_THAT(message_of<InputError>([&, text = text] { (void)read(text); }), HasSubstr(message))
+        << text;
   EXPECT_THAT(message_of<InputError>([&] { (void)read_points(directory / "no.csv", 2); }),
               HasSubstr("no.csv: no such file"));
 }

@@ -18,13 +18,17 @@ namespace tlsph::test {
 
 /// A directory that is gone when the test is over.
 class TemporaryDirectory : public ::testing::Test {
+ public:
+  TemporaryDirectory(const TemporaryDirectory&) = delete;
+  TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
+  ~TemporaryDirectory() override { std::filesystem::remove_all(directory); }
+
  protected:
   TemporaryDirectory() {
     std::string name = (std::filesystem::temp_directory_path() / "tlsph-io-XXXXXX").string();
     if (::mkdtemp(name.data()) == nullptr) std::abort();
     directory = name;
   }
-  ~TemporaryDirectory() override { std::filesystem::remove_all(directory); }
 
   std::filesystem::path directory;
 };

@@ -28,7 +28,7 @@ TEST_F(FigureOf, DataIsDrawnBesideIt) {
   const Figure figure = draw_figure("convergence", data);
 
   ASSERT_TRUE(figure.drawn);
-  EXPECT_EQ(figure.file, folder_ / "some data.png");
+  EXPECT_EQ(figure.file, folder / "some data.png");
   EXPECT_EQ(read(figure.file), "convergence " + data.string() + " --out");
 }
 

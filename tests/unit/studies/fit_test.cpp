@@ -54,7 +54,7 @@ class Fit : public StudyFolder {
   }
   FitTable run(const FitRequest& asked) const {
     FitOptions options;
-    options.out = folder_ / "study";
+    options.out = folder / "study";
     return fit(asked, options);
   }
 };
@@ -68,7 +68,7 @@ TEST_P(FitToAnError, MeetsItAndIsNotMuchBetter) {
   EXPECT_THAT(table.measured_error, AllOf(Le(GetParam()), Ge(GetParam() / 5.0)));
   EXPECT_THAT(table.predicted_error, AllOf(Le(GetParam()), Ge(GetParam() / 5.0)));
   // The file that was written is the scene that was measured.
-  const Summary summary = tlsph::run(read_scene(folder_ / "study/scene.toml"), {});
+  const Summary summary = tlsph::run(read_scene(folder / "study/scene.toml"), {});
   EXPECT_EQ(
       std::max({summary.errors->displacement, summary.errors->velocity, summary.errors->stress}),
       table.measured_error);
@@ -83,7 +83,7 @@ TEST_F(Fit, OfAFieldLooksAtThatAlone) {
 
   const FitTable table = run(asked);
 
-  const Summary summary = tlsph::run(read_scene(folder_ / "study/scene.toml"), {});
+  const Summary summary = tlsph::run(read_scene(folder / "study/scene.toml"), {});
   EXPECT_EQ(table.measured_error, summary.errors->displacement);
   EXPECT_GT(summary.errors->velocity, table.measured_error);
 }
@@ -110,7 +110,7 @@ TEST_F(Fit, ModelsAQuarterOfAPlateThatIsItsOwnImageTwice) {
   EXPECT_THAT(table.reductions, ElementsAre(HasSubstr("x = 1 m"), HasSubstr("y = 1 m")));
   EXPECT_TRUE(table.meets());
   EXPECT_TRUE(table.linear);  // strains of 1e-4
-  const Scene scene = read_scene(folder_ / "study/scene.toml");
+  const Scene scene = read_scene(folder / "study/scene.toml");
   EXPECT_EQ(scene.materials.front().law, LawKind::linear_elastic);
   EXPECT_EQ(scene.output.frames, 0);
   ASSERT_EQ(scene.probes.size(), 1U);
@@ -120,11 +120,11 @@ TEST_F(Fit, ModelsAQuarterOfAPlateThatIsItsOwnImageTwice) {
 TEST_F(Fit, WritesItsPilots) {
   const FitTable table = run(request(pushed_bar + with_exact, 3e-2));
 
-  const Json json = Json::read(folder_ / "study/fit.json");
+  const Json json = Json::read(folder / "study/fit.json");
   EXPECT_EQ(json.number("measured_error"), table.measured_error);
   EXPECT_EQ(json.text("family"), table.family);
   EXPECT_EQ(json.list("families").size(), table.families.size());
-  const std::string csv = read(folder_ / "study/fit.csv");
+  const std::string csv = read(folder / "study/fit.csv");
   std::size_t pilots = 0;
   for (const FitFamily& family : table.families) pilots += family.pilots.size();
   EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(csv, '\n')), pilots + 1);
@@ -153,7 +153,7 @@ TEST_F(Fit, RefusesWhatIsNoFitBeforeItWritesAnything) {
   asked = request(pushed_bar + tip, 1e-2);
   asked.quantity = "stress";
   refused(asked, "reference.exact");
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "study"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "study"));
 }
 
 }  // namespace

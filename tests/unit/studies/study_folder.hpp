@@ -39,16 +39,16 @@ class StudyFolder : public testing::Test {
  protected:
   void SetUp() override {
     const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::path(testing::TempDir()) /
-              (std::string("tlsph_") + info->test_suite_name() + "_" + info->name());
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
+    folder = std::filesystem::path(testing::TempDir()) /
+             (std::string("tlsph_") + info->test_suite_name() + "_" + info->name());
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder);
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
+  void TearDown() override { std::filesystem::remove_all(folder); }
 
   std::filesystem::path write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name) << text;
-    return folder_ / name;
+    std::ofstream(folder / name) << text;
+    return folder / name;
   }
   static std::string read(const std::filesystem::path& file) {
     std::ostringstream text;
@@ -56,7 +56,7 @@ class StudyFolder : public testing::Test {
     return text.str();
   }
 
-  std::filesystem::path folder_;
+  std::filesystem::path folder;
 };
 
 }  // namespace tlsph

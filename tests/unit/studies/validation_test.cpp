@@ -78,10 +78,10 @@ class Validating : public StudyFolder {
  protected:
   void SetUp() override {
     StudyFolder::SetUp();
-    std::filesystem::create_directories(folder_ / "cases/scene");
+    std::filesystem::create_directories(folder / "cases/scene");
     write("cases/plot.py", "");
     write("cases/scene/bar.toml", pushed_bar + with_probes);
-    setenv("TLSPH_VALIDATION", (folder_ / "cases").c_str(), 1);
+    setenv("TLSPH_VALIDATION", (folder / "cases").c_str(), 1);
   }
   void TearDown() override {
     unsetenv("TLSPH_VALIDATION");
@@ -89,7 +89,7 @@ class Validating : public StudyFolder {
   }
   [[nodiscard]] ValidationOptions options() const {
     ValidationOptions chosen;
-    chosen.out = folder_ / "out";
+    chosen.out = folder / "out";
     chosen.at_once = 2;
     chosen.figures = false;
     return chosen;
@@ -116,7 +116,7 @@ TEST_F(Validating, ListsEveryCaseInItsOrderWhateverEndsFirst) {
   EXPECT_EQ(table.cases[2].failure, "no such scene");
   EXPECT_EQ(table.cases[2].checks.size(), 1U) << "what was seen before counts";
   EXPECT_FALSE(table.holds());
-  EXPECT_EQ(read(folder_ / "out/good/numbers.csv"), "time,value\n0,2\n1,3\n");
+  EXPECT_EQ(read(folder / "out/good/numbers.csv"), "time,value\n0,2\n1,3\n");
 }
 
 TEST_F(Validating, SurvivesACaseThatCrashes) {
@@ -194,14 +194,14 @@ TEST_F(Validating, WritesTheSameVerdictsAsTextPageAndJson) {
 
   const std::string text = table.text();
   EXPECT_THAT(text, HasSubstr("2 cases, 3 checks, 2 hold; 1 more numbers reported"));
-  const std::string page = read(folder_ / "out/validation.md");
+  const std::string page = read(folder / "out/validation.md");
   EXPECT_EQ(page, table.markdown());
   EXPECT_THAT(page, HasSubstr("| [good](good) | a source, Fig. 1 | speed [m/s] | 5801 | 5800 | "
                               "0.1 % | holds |\n"));
   EXPECT_THAT(page,
               HasSubstr("|  | a source, Fig. 2 | growth \\| rate | 0.6 | 0.5 |  | (reported) |"));
   EXPECT_THAT(page, HasSubstr("| [bad](bad) | a source | error | ≤ 0.001 | 0.002 |  | FAILS |"));
-  const Json json = Json::read(folder_ / "out/validation.json");
+  const Json json = Json::read(folder / "out/validation.json");
   const auto rows = json.list("cases");
   ASSERT_EQ(rows.size(), 2U);
   EXPECT_EQ(rows[0].text("case"), "good");

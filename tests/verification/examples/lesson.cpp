@@ -46,17 +46,6 @@ double History::largest_magnitude() const {
   return largest;
 }
 
-std::vector<double> History::passages(double level) const {
-  std::vector<double> times;
-  for (std::size_t k = 1; k < value.size(); ++k) {
-    const double before = value[k - 1] - level;
-    const double after = value[k] - level;
-    if (before * after < 0.0 || (after == 0.0 && before != 0.0))
-      times.push_back(time[k - 1] + (time[k] - time[k - 1]) * before / (before - after));
-  }
-  return times;
-}
-
 Lesson::Lesson(const std::string& name, const std::vector<std::string>& overrides)
     : folder_(new_folder()) {
   const std::filesystem::path file =

@@ -18,8 +18,6 @@ struct History {
   [[nodiscard]] double last() const { return value.back(); }
   [[nodiscard]] double lowest() const;
   [[nodiscard]] double largest_magnitude() const;
-  /// Times at which the value passes `level`, linear between rows; a row at t = 0 is no passage.
-  [[nodiscard]] std::vector<double> passages(double level) const;
 };
 
 /// Runs `examples/<name>.toml` in one thread with overrides `key=value`; what it writes lives in a
