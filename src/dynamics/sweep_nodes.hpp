@@ -8,11 +8,11 @@
 namespace tlsph::sweep {
 namespace {
 
-/// v += kick a, u += dt v of `count` ≤ lanes doubles.
+/// v += kick a, u += dt v of `count` ≤ lanes doubles; what stands in `a` beyond them is nobody's.
 TLSPH_INLINE void move_part(Real a, Index count, const Motion& motion, Index at, Real& most) {
   double* v = motion.v + at;
   double* u = motion.u + at;
-  const Real velocity = load_part(v, count) + motion.kick * a;
+  const Real velocity = load_part(v, count) + motion.kick * part_of(a, count);
   store_part(v, count, velocity);
   store_part(u, count, load_part(u, count) + motion.dt * velocity);
   const Real speed = absolute(velocity);

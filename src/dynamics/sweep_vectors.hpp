@@ -55,6 +55,17 @@ TLSPH_INLINE void store_part(double* to, Index count, Real value) {
 #endif
 }
 
+/// The first `count` ≤ lanes doubles of a vector, others zero.
+TLSPH_INLINE Real part_of(Real value, Index count) {
+#if TLSPH_LANES == 8
+  return (Real)_mm512_maskz_mov_pd(static_cast<__mmask8>((1U << count) - 1U), (__m512d)value);
+#else
+  for (Index lane = 0; lane < lanes; ++lane)
+    if (lane >= count) value[lane] = 0.0;
+  return value;
+#endif
+}
+
 TLSPH_INLINE Real absolute(Real value) {
   Whole bits;
   std::memcpy(&bits, &value, sizeof bits);
@@ -64,7 +75,7 @@ TLSPH_INLINE Real absolute(Real value) {
 }
 
 /// Asks for the line that many doubles ahead: laws and products keep the processor from noticing
-/// in time that u and v are read in order (two fifths of a step of 5e5 particles).
+/// in time that u and v are read in order (a tenth to a quarter of a step of 5e5 particles).
 TLSPH_INLINE void fetch_to_write(const double* at) {
   constexpr Index doubles_ahead = 1024;
   __builtin_prefetch(at + doubles_ahead, 1);

@@ -82,6 +82,7 @@ void expect_the_same_step(const Discretisation<D>& disc, double strain = 0.1) {
     EXPECT_LE((state.v - expected.v).cwiseAbs().maxCoeff(), 1e-13 * velocity);
     EXPECT_LE((state.u - expected.u).cwiseAbs().maxCoeff(),
               1e-13 * expected.u.cwiseAbs().maxCoeff());
+    EXPECT_EQ(forces.largest_speed, state.v.cwiseAbs().maxCoeff());
     EXPECT_EQ(state.step, expected.step);
     EXPECT_EQ(state.time, expected.time);
     EXPECT_EQ(state.last_dt, expected.last_dt);
