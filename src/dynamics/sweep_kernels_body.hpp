@@ -16,9 +16,9 @@ Index multiply_adds(Index count, double& sum) {
   const Real factor = all(0.999);
   const Real term = all(0.001);
   for (Index n = 0; n < count; ++n)
-    for (int k = 0; k < chains; ++k) value[k] = value[k] * factor + term;
-  for (int k = 0; k < chains; ++k)
-    for (Index lane = 0; lane < lanes; ++lane) sum += value[k][lane];
+    for (Real& chain : value) chain = chain * factor + term;
+  for (const Real& chain : value)
+    for (Index lane = 0; lane < lanes; ++lane) sum += chain[lane];
   return count * chains * lanes;
 }
 

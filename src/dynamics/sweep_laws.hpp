@@ -119,8 +119,8 @@ struct StVenantKirchhoff {
 };
 
 /// P = μ (F − F⁻ᵀ) + p F⁻ᵀ as in materials/neo_hookean.hpp, p = λ ln J where missing directions are
-/// unstrained, or `free` of them without stress.
-template <int free>
+/// unstrained, or `Free` of them without stress.
+template <int Free>
 struct NeoHookean {
   Real lambda, mu;
   TLSPH_INLINE void operator()(Real& h, Whole& good) const {
@@ -153,7 +153,7 @@ struct NeoHookean {
 
  private:
   TLSPH_INLINE Real pressure(Real log, Whole& good) const {
-    if constexpr (free == 0)
+    if constexpr (Free == 0)
       return lambda * log;
     else
       return pressure_of_free(log, good);
@@ -161,12 +161,12 @@ struct NeoHookean {
 
   /// −μ c of c = s² − 1, s the common stretch of the free directions: by Newton,
   ///
-  ///     g(c) = μ c + λ (ln J + free/2 ln(1 + c)) = 0,
+  ///     g(c) = μ c + λ (ln J + Free/2 ln(1 + c)) = 0,
   ///
   /// which grows and is concave for λ ≥ 0: from the second iterate on the way goes up to the root.
   TLSPH_INLINE Real pressure_of_free(Real log, Whole& good) const {
     constexpr int most_iterations = 60;
-    constexpr double half = 0.5 * free;
+    constexpr double half = 0.5 * Free;
     const auto at_least = [](Real value, Real bound) __attribute__((always_inline)) {
       return value > bound ? value : bound;
     };

@@ -29,13 +29,13 @@ TLSPH_INLINE void move_vector(Real a, const Motion& motion, Index at, Real& most
   most = speed > most ? speed : most;
 }
 
-template <int D, int Directions, int Entries, bool with_rows>
+template <int D, int Directions, int Entries, bool WithRows>
 TLSPH_INLINE void move_stencil(const Table& table, const RowRun& run, const Window& window,
                                const Motion& motion, Real body_force, Real& most) {
   const Stencil<Directions> stencil(table, run);
   const double* P[Directions];
   for (int a = 0; a < Directions; ++a) P[a] = window.direction[a] + (run.column - window.base) * D;
-  const double* rows = with_rows ? motion.rows + (run.first - motion.rows_base) * D : nullptr;
+  const double* rows = WithRows ? motion.rows + (run.first - motion.rows_base) * D : nullptr;
   const Index to = static_cast<Index>(run.first) * D;
   const Index length = static_cast<Index>(run.count) * D;
   const auto accelerations = [&](const auto& weight, Index at, auto& a)
@@ -43,7 +43,7 @@ TLSPH_INLINE void move_stencil(const Table& table, const RowRun& run, const Wind
     constexpr int chunk = static_cast<int>(sizeof a / sizeof(Real));
     for (int c = 0; c < chunk; ++c) {
       a[c] = body_force;
-      if constexpr (with_rows) a[c] -= load<Real>(rows + at + c * lanes);
+      if constexpr (WithRows) a[c] -= load<Real>(rows + at + c * lanes);
     }
     add_divergence<Directions, Entries>(stencil.offset, weight, stencil.entries, D, P, at, a);
   };
@@ -76,14 +76,14 @@ TLSPH_INLINE void move_stencil(const Table& table, const RowRun& run, const Wind
 }
 
 /// One row of whatever storage.
-template <int D, int Directions, bool with_rows, class Weight>
+template <int D, int Directions, bool WithRows, class Weight>
 TLSPH_INLINE void move_row(const Row<Weight>& entries, Index row, const Window& P,
                            const Motion& motion, Real body_force, double& most) {
   using Value = typename RowValue<D>::Type;
   Value a;
   std::memcpy(&a, &body_force, sizeof a);
   a += divergence_of_row<D, Directions>(entries, P);
-  if constexpr (with_rows) a -= load<Value>(motion.rows + (row - motion.rows_base) * D);
+  if constexpr (WithRows) a -= load<Value>(motion.rows + (row - motion.rows_base) * D);
   const Value velocity = load<Value>(motion.v + row * D) + motion.kick * a;
   store(motion.v + row * D, velocity);
   store(motion.u + row * D, load<Value>(motion.u + row * D) + motion.dt * velocity);
@@ -95,7 +95,7 @@ TLSPH_INLINE void move_row(const Row<Weight>& entries, Index row, const Window& 
   }
 }
 
-template <int D, int Directions, bool with_rows>
+template <int D, int Directions, bool WithRows>
 double move_rows(const Table& table, Runs runs, Window P, const Motion& motion) {
   constexpr int corners = 1 << D;  // of a cell
   Real body_force;
@@ -107,14 +107,14 @@ double move_rows(const Table& table, Runs runs, Window P, const Motion& motion) 
     if (row_by_row<D>(run)) {
       for_each_row<Directions>(
           table, run, [&](Index row, const auto& entries) __attribute__((always_inline)) {
-            move_row<D, Directions, with_rows>(entries, row, P, motion, body_force, largest);
+            move_row<D, Directions, WithRows>(entries, row, P, motion, body_force, largest);
           });
       continue;
     }
     if (Stencil<Directions>(table, run).entries == corners)
-      move_stencil<D, Directions, corners, with_rows>(table, run, P, motion, body_force, most);
+      move_stencil<D, Directions, corners, WithRows>(table, run, P, motion, body_force, most);
     else
-      move_stencil<D, Directions, 0, with_rows>(table, run, P, motion, body_force, most);
+      move_stencil<D, Directions, 0, WithRows>(table, run, P, motion, body_force, most);
   }
   for (Index lane = 0; lane < lanes; ++lane) largest = most[lane] > largest ? most[lane] : largest;
   return largest;

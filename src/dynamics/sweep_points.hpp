@@ -22,7 +22,7 @@ TLSPH_INLINE Whole point_of_lane() {
 
 /// Strain and stress of the points of `Vectors` vectors, rows of one stencil. `Entries` of them, or
 /// as many as it has for 0. Lanes of points from `rest` on are no points: they are left at rest.
-template <int D, int Directions, int Entries, int Vectors, bool whole, class Law, class Weights>
+template <int D, int Directions, int Entries, int Vectors, bool Full, class Law, class Weights>
 TLSPH_INLINE void points_chunk(const Law& law, const int* offset, const Weights& weight,
                                int entries, const double* x, double* const* out, Index at,
                                Index rest, Whole& good) {
@@ -35,7 +35,7 @@ TLSPH_INLINE void points_chunk(const Law& law, const int* offset, const Weights&
     Real H[D][D];
     for (int a = 0; a < D; ++a)
       for (int c = 0; c < D; ++c) H[a][c] = sum[a][p * D + c];
-    if constexpr (!whole) {
+    if constexpr (!Full) {
       for (int c = 0; c < D; ++c) {
         Whole index;
         for (int lane = 0; lane < TLSPH_LANES; ++lane) index[lane] = c * TLSPH_LANES + lane;

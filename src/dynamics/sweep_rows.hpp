@@ -60,7 +60,7 @@ constexpr Index ahead = 128;
 /// Sums of a row that do not wait for each other: more of them where rows are long.
 constexpr int few_entries = 8;
 
-template <int D, int Directions, int parts, class Weight>
+template <int D, int Directions, int Parts, class Weight>
 TLSPH_INLINE void gradient_of_row(const Row<Weight>& row, const double* u,
                                   double* const (&out)[Directions]) {
   using Value = typename RowValue<D>::Type;
@@ -70,24 +70,24 @@ TLSPH_INLINE void gradient_of_row(const Row<Weight>& row, const double* u,
   Value reference{};
   if (differences_only && row.entries > 0)
     reference = load<Value>(x + static_cast<Index>(row.index[0]) * D);
-  Value sum[parts][Directions] = {};
+  Value sum[Parts][Directions] = {};
   const auto add = [&](Index k, int part) __attribute__((always_inline)) {
-    Value value = load<Value>(x + static_cast<Index>(row.index[k]) * D);
+    auto value = load<Value>(x + static_cast<Index>(row.index[k]) * D);
     if constexpr (differences_only) value -= reference;
     for (int a = 0; a < Directions; ++a)
       sum[part][a] += static_cast<double>(row.weight[k * Directions + a]) * value;
   };
   Index k = 0;
-  for (; k + parts <= row.entries; k += parts) {
+  for (; k + Parts <= row.entries; k += Parts) {
     __builtin_prefetch(row.weight + (k + ahead) * Directions);
-    for (int part = 0; part < parts; ++part) add(k + part, part);
+    for (int part = 0; part < Parts; ++part) add(k + part, part);
   }
-  for (int part = 0; part + 1 < parts;
+  for (int part = 0; part + 1 < Parts;
        ++part)  // its numbers must be known, or sums leave registers
     if (k + part < row.entries) add(k + part, part);
   for (int a = 0; a < Directions; ++a) {
     Value total = sum[0][a] + sum[1][a];
-    if constexpr (parts == 4) total += sum[2][a] + sum[3][a];
+    if constexpr (Parts == 4) total += sum[2][a] + sum[3][a];
     store(out[a], total);
   }
 }

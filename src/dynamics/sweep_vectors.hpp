@@ -82,9 +82,9 @@ TLSPH_INLINE void fetch_to_write(const double* at) {
 }
 
 /// A number that the compiler knows.
-template <int n>
+template <int N>
 struct Constant {
-  static constexpr int value = n;
+  static constexpr int value = N;
 };
 
 /// True where every lane is.
