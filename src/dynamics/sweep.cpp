@@ -100,13 +100,7 @@ struct Sweep<D>::Parts {
 
   void plan(bool loaded) {
     const sweep::Dependences dep = storage.dependences();
-    std::vector<int> regions;
-    if (disc.regions.size() > 1) {
-      regions.assign(static_cast<std::size_t>(disc.points.size()), 0);
-      for (std::size_t r = 0; r < disc.regions.size(); ++r)
-        for (const int s : disc.regions[r].points)
-          regions[static_cast<std::size_t>(s)] = static_cast<int>(r);
-    }
+    const std::vector<int> regions = sweep::regions_of_points(disc);
     const BoundaryForces<D> booked(disc);
     shared.constrained.assign(booked.nodes.size() * D, 0);
     for (const auto* list : {&booked.fixed, &booked.held, &booked.moved})

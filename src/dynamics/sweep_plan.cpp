@@ -157,13 +157,15 @@ class Planner {
       task.kind = kind;
       task.first = from;
       task.last = end;
-      task.run = append_runs(points ? *op_.gradient : *op_.rows, from, end, runs);
-      task.runs = static_cast<Index>(runs.size()) - task.run;
+      task.run = static_cast<Index>(runs.size());
       if (points) {
         task.item = static_cast<Index>(plan_.laws.size());
         add_laws(from, end);
         task.items = static_cast<Index>(plan_.laws.size()) - task.item;
+      } else {
+        append_runs(*op_.rows, from, end, runs);
       }
+      task.runs = static_cast<Index>(runs.size()) - task.run;
       tasks.push_back(task);
     }
   }
@@ -202,17 +204,19 @@ class Planner {
     }
   }
 
+  /// Segments of rows [first, last) with one law each.
   void add_laws(Index first, Index last) {
-    if (regions_.empty()) {
-      plan_.laws.push_back({0, first, last - first});
-      return;
-    }
-    for (Index s = first; s < last; ++s) {
-      const auto region = static_cast<std::size_t>(regions_[at(s)]);
-      if (s > first && plan_.laws.back().region == region)
-        ++plan_.laws.back().count;
-      else
-        plan_.laws.push_back({region, s, 1});
+    for (Index s = first; s < last;) {
+      LawSegment segment;
+      segment.first = s;
+      if (!regions_.empty()) segment.region = static_cast<std::size_t>(regions_[at(s)]);
+      Index end = regions_.empty() ? last : s + 1;
+      while (end < last && static_cast<std::size_t>(regions_[at(end)]) == segment.region) ++end;
+      segment.count = end - s;
+      segment.run = append_runs(*op_.gradient, s, end, plan_.gradient);
+      segment.runs = static_cast<Index>(plan_.gradient.size()) - segment.run;
+      plan_.laws.push_back(segment);
+      s = end;
     }
   }
 

@@ -31,10 +31,11 @@ struct Task {
   Index load = 0, loads = 0;  ///< nodes: loaded degrees of freedom
 };
 
-/// Material points of one law, consecutive.
+/// Material points of one law, consecutive, and the runs that make them up.
 struct LawSegment {
   std::size_t region = 0;
   Index first = 0, count = 0;
+  Index run = 0, runs = 0;
 };
 
 /// a[dof] += value(load curve) · weight

@@ -60,12 +60,17 @@ void gradient(const Table& table, Runs runs, const double* u, Index size, Window
       // The last vector may read beyond the run, not beyond the field.
       const Index readable = size - static_cast<Index>(run.column + table.reach[run.stencil]) * D;
       Index at = 0;
-      for (; at < length && at + lanes <= readable; at += lanes) {
-        Real sum[Directions][1] = {};
+      const auto pass = [&](auto several) __attribute__((always_inline)) {
+        constexpr int chunk = decltype(several)::value;
+        Real sum[Directions][chunk] = {};
         add_gradient<Directions, 0>(stencil.offset, stencil.weight, stencil.entries, D, x + at,
                                     sum);
-        for (int a = 0; a < Directions; ++a) store(out[a] + at, sum[a][0]);
-      }
+        for (int a = 0; a < Directions; ++a)
+          for (int c = 0; c < chunk; ++c) store(out[a] + at + c * lanes, sum[a][c]);
+        at += chunk * lanes;
+      };
+      while (at + 4 * lanes <= length) pass(Constant<4>{});
+      while (at < length && at + lanes <= readable) pass(Constant<1>{});
       done = at < length ? at / D : run.count;
     }
     const RowRun rest = rest_of(run, done);
@@ -114,12 +119,19 @@ void divergence(const Table& table, Runs runs, Window P, double* out, Index out_
     const Stencil<Directions> stencil(table, run);
     const double* from[Directions];
     for (int a = 0; a < Directions; ++a) from[a] = P.direction[a] + (run.column - P.base) * D;
-    for (Index at = 0; at < static_cast<Index>(run.count) * D; at += lanes) {
-      Real sum[1] = {};
+    const Index length = static_cast<Index>(run.count) * D;
+    Index at = 0;
+    const auto pass = [&](auto several) __attribute__((always_inline)) {
+      constexpr int chunk = decltype(several)::value;
+      Real sum[chunk] = {};
       add_divergence<Directions, 0>(stencil.offset, stencil.weight, stencil.entries, D, from, at,
                                     sum);
-      store(out + (run.first - out_base) * D + at, sum[0]);
-    }
+      for (int c = 0; c < chunk; ++c)
+        store(out + (run.first - out_base) * D + at + c * lanes, sum[c]);
+      at += chunk * lanes;
+    };
+    while (at + 4 * lanes <= length) pass(Constant<4>{});
+    while (at < length) pass(Constant<1>{});
   }
 }
 

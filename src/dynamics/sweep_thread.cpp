@@ -125,34 +125,35 @@ bool Thread<D>::run(const std::vector<Task>& tasks, const StepData<D>& step) {
 }
 
 template <int D>
-const RegionLaw<D>* Thread<D>::only_law(const Task& task) const {
-  if (task.items != 1) return nullptr;
-  const LawSegment& segment = plan_.laws[static_cast<std::size_t>(task.item)];
-  const RegionLaw<D>& law = shared_.laws[segment.region];
-  return law.kernel.points != nullptr ? &law : nullptr;
-}
-
-template <int D>
 bool Thread<D>::points(const Task& task, Store& store, const StepData<D>& step) {
-  if (const RegionLaw<D>* law = only_law(task); law != nullptr && step.observed == nullptr)
-    return (shared_.modes ? law->kernel.points_and_modes : law->kernel.points)(
-        law->constants, shared_.gradient, runs(plan_.gradient, task), step.u, size_,
-        store.window());
-  const auto gradient =
-      shared_.modes ? shared_.kernels->gradient_and_modes : shared_.kernels->gradient;
-  gradient(shared_.gradient, runs(plan_.gradient, task), step.u, size_, store.window());
-  if (step.observed != nullptr) write_points(task, store, step.observed->H);
+  const bool observed = step.observed != nullptr;
+  const Kernels<D>& kernels = *shared_.kernels;
+  const auto strain = [&](Runs some) {
+    (shared_.modes ? kernels.gradient_and_modes : kernels.gradient)(shared_.gradient, some, step.u,
+                                                                    size_, store.window());
+  };
+  if (observed) {
+    strain(runs(plan_.gradient, task));
+    write_points(task, store, step.observed->H);
+  }
   bool good = true;
   for (Index k = task.item; k < task.item + task.items; ++k) {
     const LawSegment& segment = plan_.laws[static_cast<std::size_t>(k)];
+    const Runs own{plan_.gradient.data() + segment.run, segment.runs};
     const RegionLaw<D>& law = shared_.laws[segment.region];
     const Index first = segment.first - store.base;
-    good = (law.kernel.law != nullptr
-                ? law.kernel.law(law.constants, store.direction.data(), first, segment.count)
-                : apply_any<D>(*law.any, store.direction.data(), first, segment.count)) &&
-           good;
+    double* const* field = store.direction.data();
+    if (law.any != nullptr) {
+      if (!observed) strain(own);
+      good = apply_any<D>(*law.any, field, first, segment.count) && good;
+    } else if (observed) {
+      good = law.kernel.law(law.constants, field, first, segment.count) && good;
+    } else {
+      const auto stress = shared_.modes ? law.kernel.points_and_modes : law.kernel.points;
+      good = stress(law.constants, shared_.gradient, own, step.u, size_, store.window()) && good;
+    }
   }
-  if (step.observed != nullptr) write_points(task, store, step.observed->P);
+  if (observed) write_points(task, store, step.observed->P);
   return good;
 }
 

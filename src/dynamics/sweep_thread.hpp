@@ -89,8 +89,6 @@ class Thread {
   void accelerate(const Task& task, Runs some, const StepData<D>& step);
   void move_special(const Task& task, const StepData<D>& step);
   [[nodiscard]] double power(const Task& task, const StepData<D>& step) const;
-  /// The law of all points of a task, if it has kernels.
-  [[nodiscard]] const RegionLaw<D>* only_law(const Task& task) const;
   void write_points(const Task& task, const Store& store, TensorField<D>& field) const;
   [[nodiscard]] Runs runs(const std::vector<RowRun>& list, const Task& task) const {
     return {list.data() + task.run, task.runs};

@@ -89,13 +89,8 @@ TangentPass<D>::TangentPass(const Discretisation<D>& disc, const State<D>& state
       storage_(disc, false),
       kernels_(kernels<D>(widest_level())),
       points_(cut(storage_.gradient.runs, disc.points.size())),
-      nodes_(cut(storage_.divergence.runs, disc.nodes())) {
-  if (disc.regions.size() > 1) {
-    region_.assign(static_cast<std::size_t>(disc.points.size()), 0);
-    for (std::size_t r = 0; r < disc.regions.size(); ++r)
-      for (const int s : disc.regions[r].points)
-        region_[static_cast<std::size_t>(s)] = static_cast<int>(r);
-  }
+      nodes_(cut(storage_.divergence.runs, disc.nodes())),
+      region_(regions_of_points(disc)) {
   for (const Region<D>& region : disc.regions) keep_factors<D>(region, state.H, factors_);
   stress_.resize(storage_.modes ? D + 1 : D);
   for (auto& stress : stress_)
@@ -105,23 +100,10 @@ TangentPass<D>::TangentPass(const Discretisation<D>& disc, const State<D>& state
 template <int D>
 auto TangentPass<D>::cut(const std::vector<RowRun>& runs, Index rows) -> Blocks {
   Blocks result;
-  auto run = runs.begin();
   for (Index first = 0; first < rows; first += block_rows) {
-    Block block{first, std::min(first + block_rows, rows), static_cast<Index>(result.runs.size()),
-                0};
-    while (run != runs.end() && run->first < block.last) {
-      const Index from = std::max<Index>(run->first, first);
-      const Index end = std::min<Index>(run->first + run->count, block.last);
-      RowRun part = *run;
-      part.first = static_cast<int>(from);
-      part.count = static_cast<int>(end - from);
-      if (run->stencil != no_stencil) part.column += part.first - run->first;
-      result.runs.push_back(part);
-      if (run->first + run->count > block.last) break;
-      ++run;
-    }
-    block.runs = static_cast<Index>(result.runs.size()) - block.run;
-    result.blocks.push_back(block);
+    const Index last = std::min(first + block_rows, rows);
+    const Index run = append_runs(runs, first, last, result.runs);
+    result.blocks.push_back({first, last, run, static_cast<Index>(result.runs.size()) - run});
   }
   return result;
 }
