@@ -2,22 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
-#include "tlsph/core/parallel.hpp"
+#include "strain_watch.hpp"
 #include "tlsph/linear/krylov.hpp"
-#include "tlsph/materials/kinematics.hpp"
 
 namespace tlsph {
 namespace {
 
 /// A look costs a pass over H. Where nothing moves there is one in so many steps.
-constexpr long longest_interval = 16;
+constexpr long longest_interval = 32;
 /// What an estimate costs, in steps. It is made when what the bound may have wasted since the last
 /// one comes to that; where it turns out that nothing was wasted, the next one waits twice as long.
 constexpr double price_of_estimate = 50.0;
 constexpr double worth_it = 1.1;  ///< times the step
 /// The first one is as good as it can be; those of a state that goes on to change need not be.
 constexpr double tolerance_of_estimate = 1e-2;
+/// Of γ, a factor of what the tangents change.
+constexpr double tolerance_of_gamma = 5e-2;
 /// A relative deformation of this size may have softened the body, which the bound cannot see; it
 /// counts as so much waste.
 constexpr double far = 0.15;
@@ -36,6 +38,8 @@ constexpr double kept_share = 0.2;
 /// safe all the same.
 constexpr double always_kept = 0.7;
 constexpr double worth_lengthening = 0.9;
+/// Particles this many times as fast as at the last look are a new event.
+constexpr double struck_speed = 2.0;
 /// A body whose particles have moved by so little cannot have used up more of that: nobody looks.
 constexpr double negligible_share = 0.1;
 
@@ -74,18 +78,12 @@ double unit_stiffness(const Discretisation<D>& disc) {
     Eigen::Map<VectorField<D>>(out.data(), disc.nodes(), D) = -y.cwiseProduct(root);
   };
   if (disc.adjoint)
-    return largest_eigenvalue(product, x.size(), {.max_steps = 200, .tolerance = 1e-3}).upper_bound;
+    return largest_eigenvalue(product, x.size(),
+                              {.max_steps = 200, .tolerance = tolerance_of_gamma})
+        .upper_bound;
   const auto values =
       arnoldi_eigenvalues(product, x.size(), static_cast<int>(std::min<Index>(x.size(), 120)));
   return std::abs(values.front());
-}
-
-/// ‖H − H₀‖ ‖F⁻¹‖, the relative deformation between two states of a point.
-template <int D>
-double relative_deformation(const Tensor<D>& H, const Tensor<D>& before) {
-  const Tensor<D> F = deformation_gradient<D>(H);
-  const double J = 1.0 + volume_change<D>(H);
-  return (H - before).norm() * cofactor<D>(F).norm() / std::abs(J);
 }
 
 }  // namespace
@@ -100,44 +98,20 @@ StepFollower<D>::StepFollower(const Discretisation<D>& disc, const State<D>& sta
       limit_(first_),
       step_(safety * first_),
       price_(price_of_estimate),
-      H_estimate_(state.H),
-      H_check_(state.H),
+      watch_(std::make_unique<sweep::StrainWatch<D>>(disc)),
+      H_estimate_(watch_->strains(state)),
+      H_check_(H_estimate_),
       row_sum_(disc.ghosts ? 0.0 : largest_row_sum<D>(disc.gradient)),
       last_look_(state.step),
       next_look_(state.step + 1),
       estimates_(1) {}
 
 template <int D>
-double StepFollower<D>::stiffening(const TensorField<D>& H, double gamma) const {
-  double largest = 0.0;
-  for (const Region<D>& region : disc_.regions)
-    std::visit(
-        [&](const auto& law) {
-          // Gershgorin's discs: no eigenvalue of the difference lies right of them.
-          const auto right = [&](Index k) {
-            const Index s = region.points.empty() ? k : region.points[static_cast<std::size_t>(k)];
-            const Tangent<D> A =
-                law.tangent(tensor_at<D>(H, s)) - law.tangent(tensor_at<D>(H_estimate_, s));
-            double end = 0.0;
-            for (int i = 0; i < D * D; ++i)
-              end = std::max(end, A(i, i) + A.row(i).cwiseAbs().sum() - std::abs(A(i, i)));
-            return end;
-          };
-          largest = std::max(
-              largest,
-              max_rows(region.points.empty() ? H.rows() : static_cast<Index>(region.points.size()),
-                       right));
-        },
-        region.law);
-  return gamma * largest;
-}
+StepFollower<D>::~StepFollower() = default;
 
-/// ‖H − H₀‖ ‖F⁻¹‖ at the point that has deformed most.
 template <int D>
-double largest_deformation(const TensorField<D>& H, const TensorField<D>& before) {
-  return max_rows(H.rows(), [&](Index s) {
-    return relative_deformation<D>(tensor_at<D>(H, s), tensor_at<D>(before, s));
-  });
+void StepFollower<D>::read_by(const Sweep<D>& sweep) {
+  watch_->read_by(sweep);
 }
 
 /// s with (s Δt)² (ω² + added) = 4 where Δt = 2/ω; with a viscosity, whose share of Δt²K + 2ΔtC
@@ -152,31 +126,33 @@ double StepFollower<D>::share_of_estimate(double added) const {
 
 template <int D>
 double StepFollower<D>::bound(const State<D>& state) const {
+  const double gamma = gamma_ > 0.0 ? gamma_ : unit_stiffness<D>(disc_);
   return std::min(critical_.dt, first_) *
-         share_of_estimate(stiffening(state.H, gamma_ > 0.0 ? gamma_ : unit_stiffness<D>(disc_)));
+         share_of_estimate(gamma * watch_->stiffening(state, H_estimate_));
 }
 
 /// A body that has softened may stiffen again faster than it is looked at (beyond the limit of
 /// hyperbolicity of its law, nothing limits the step one moment and the first one does the next),
 /// so no step is longer than the first.
 template <int D>
-void StepFollower<D>::estimate(const State<D>& state) {
+void StepFollower<D>::estimate(State<D>& state) {
   ++estimates_;
+  if (!watch_->reads_strains()) disc_.gradient.gradient(state.u, state.H);
   const auto critical = critical_step_if_any<D>(disc_, state, tolerance_of_estimate);
   if (critical) critical_ = *critical;
   if (!critical || !(critical_.dt < first_)) critical_.dt = first_;
-  H_estimate_ = state.H;
+  watch_->store(state, H_estimate_);
   limit_ = critical_.dt;
 }
 
 template <int D>
-void StepFollower<D>::check(const State<D>& state) {
+void StepFollower<D>::check(State<D>& state) {
   ++bounds_;
   if (gamma_ == 0.0) gamma_ = unit_stiffness<D>(disc_);  // a body that hardly deforms never asks
-  const double share = share_of_estimate(stiffening(state.H, gamma_));
+  const auto change = watch_->change(state, H_estimate_, H_check_);
+  const double share = share_of_estimate(gamma_ * change.stiffening);
   limit_ = std::min(critical_.dt, first_) * share;
-  waste_a_step_ = std::max(1.0 / share - 1.0,
-                           largest_deformation<D>(state.H, H_estimate_) > far ? far_waste : 0.0);
+  waste_a_step_ = std::max(1.0 / share - 1.0, change.deformation > far ? far_waste : 0.0);
   if (waste_ > price_) {
     const double before = limit_;
     estimate(state);
@@ -184,23 +160,25 @@ void StepFollower<D>::check(const State<D>& state) {
     waste_ = 0.0;
     waste_a_step_ = 0.0;
   }
-  H_check_ = state.H;
   change_ = 0.0;
 }
 
 /// |ΔH| ≤ Σ_q |w_sq| max |Δu|, over all directions.
 template <int D>
 bool StepFollower<D>::due(const State<D>& state) const {
-  if (state.step < next_look_) return false;
-  return !path_known_ || row_sum_ * path_ >= negligible_share * deformation_;
+  if (!path_known_) return state.step >= next_look_;
+  const bool struck = last_path_ > struck_speed * path_at_look_;
+  return (struck || state.step >= next_look_) &&
+         row_sum_ * path_ >= negligible_share * deformation_;
 }
 
 template <int D>
-bool StepFollower<D>::follow(const State<D>& state) {
-  if (state.step < next_look_) return false;
+bool StepFollower<D>::follow(State<D>& state) {
+  if (!due(state)) return false;
   ++looks_;
   path_ = 0.0;
-  const double change = largest_deformation<D>(state.H, H_check_);
+  path_at_look_ = last_path_;
+  const double change = watch_->deformation(state, H_check_);
   const long quiet = std::max(1L, state.step - last_look_);
   const double rate = std::max(change - change_, 0.0) / static_cast<double>(quiet);
   change_ = change;
@@ -237,6 +215,8 @@ std::vector<double> StepFollower<D>::numbers() const {
           static_cast<double>(next_look_),
           path_known_ ? 1.0 : 0.0,
           path_,
+          last_path_,
+          path_at_look_,
           static_cast<double>(looks_),
           static_cast<double>(bounds_),
           static_cast<double>(estimates_)};
@@ -261,11 +241,17 @@ void StepFollower<D>::restore(const std::vector<double>& n, const std::vector<do
   next_look_ = static_cast<long>(n.at(12));
   path_known_ = n.at(13) != 0.0;
   path_ = n.at(14);
-  looks_ = static_cast<long>(n.at(15));
-  bounds_ = static_cast<long>(n.at(16));
-  estimates_ = static_cast<long>(n.at(17));
-  std::ranges::copy(estimated_at, H_estimate_.data());
-  std::ranges::copy(checked_at, H_check_.data());
+  last_path_ = n.at(15);
+  path_at_look_ = n.at(16);
+  looks_ = static_cast<long>(n.at(17));
+  bounds_ = static_cast<long>(n.at(18));
+  estimates_ = static_cast<long>(n.at(19));
+  const auto take = [](const std::vector<double>& from, std::vector<float>& to) {
+    if (from.size() != to.size()) throw std::invalid_argument("strains of another body");
+    std::ranges::transform(from, to.begin(), [](double h) { return static_cast<float>(h); });
+  };
+  take(estimated_at, H_estimate_);
+  take(checked_at, H_check_);
 }
 
 template class StepFollower<1>;

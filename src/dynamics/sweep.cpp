@@ -5,15 +5,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <type_traits>
 
 #include "sweep_storage.hpp"
 #include "sweep_thread.hpp"
 
 namespace tlsph {
 namespace {
-
-using sweep::RegionLaw;
 
 sweep::Level level_of(Instructions instructions) {
   switch (instructions) {
@@ -27,42 +24,6 @@ sweep::Level level_of(Instructions instructions) {
       break;
   }
   return sweep::widest_level();
-}
-
-template <int D>
-RegionLaw<D> law_of(const AnyLaw<D>& any, const sweep::Kernels<D>& kernels) {
-  return std::visit(
-      [&](const auto& law) -> RegionLaw<D> {
-        using Law = std::decay_t<decltype(law)>;
-        const sweep::LawConstants constants{law.lambda(), law.mu()};
-        if constexpr (Law::name == LinearElastic<D>::name)
-          return {kernels.linear_elastic, constants, nullptr};
-        else if constexpr (Law::name == StVenantKirchhoff<D>::name)
-          return {kernels.st_venant_kirchhoff, constants, nullptr};
-        else if constexpr (std::is_same_v<Law, NeoHookean<D, Assumption::strain>>)
-          return {kernels.neo_hookean, constants, nullptr};
-        else if (law.lambda() >= 0.0)
-          return {kernels.neo_hookean_free, constants, nullptr};
-        else
-          return {{}, constants, &any};
-      },
-      any);
-}
-
-/// What every law is at H = 0.
-template <int D>
-RegionLaw<D> small_strain_law_of(const AnyLaw<D>& any, const sweep::Kernels<D>& kernels) {
-  const double lambda = std::visit(
-      [](const auto& law) {
-        using Law = std::decay_t<decltype(law)>;
-        if constexpr (std::is_same_v<Law, NeoHookean<D, Assumption::stress>>)
-          return reduced_lambda({law.lambda(), law.mu()}, D, Assumption::stress);
-        else
-          return law.lambda();
-      },
-      any);
-  const double mu = std::visit([](const auto& law) { return law.mu(); }, any);
-  return {kernels.linear_elastic, {lambda, mu}, nullptr};
 }
 
 }  // namespace
@@ -90,9 +51,7 @@ struct Sweep<D>::Parts {
     shared.viscous = storage.viscous;
     shared.has_rows = storage.has_rows;
     shared.body_force = disc.has_body_force() && !options.linearised;
-    for (const Region<D>& region : disc.regions)
-      shared.laws.push_back(options.linearised ? small_strain_law_of<D>(region.law, *shared.kernels)
-                                               : law_of<D>(region.law, *shared.kernels));
+    shared.laws = sweep::region_laws<D>(disc, *shared.kernels, options.linearised);
     shared.pressures.assign(disc.loads.size(), 0.0);
     curve_values.assign(disc.constraints.curves.size(), 0.0);
     plan(!options.linearised);
@@ -223,6 +182,11 @@ Sweep<D>::~Sweep() = default;
 template <int D>
 BoundaryForces<D> Sweep<D>::boundary_forces() const {
   return BoundaryForces<D>(parts_->disc);
+}
+
+template <int D>
+const sweep::Storage<D>& Sweep<D>::operators() const {
+  return parts_->storage;
 }
 
 template <int D>

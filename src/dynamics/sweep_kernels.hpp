@@ -70,11 +70,17 @@ inline constexpr Index overrun = 32;
 using PointsKernel = bool (*)(const LawConstants& constants, const Table&, Runs, const double* u,
                               Index size, Window out);
 
+/// max λ_max(∂P/∂F at H − ∂P/∂F at `before`) of `count` points, at most that [Pa]; zero if no
+/// eigenvalue is positive.
+using StiffeningKernel = double (*)(const LawConstants& constants, const double* const* H,
+                                    const float* const* before, Index count);
+
 /// What is made for each law.
 struct LawKernels {
   LawKernel law = nullptr;
   PointsKernel points = nullptr;
   PointsKernel points_and_modes = nullptr;
+  StiffeningKernel stiffening = nullptr;
 };
 
 template <int D>
@@ -95,6 +101,8 @@ struct Kernels {
   LawKernels st_venant_kirchhoff;
   LawKernels neo_hookean;
   LawKernels neo_hookean_free;  ///< missing directions without stress; λ ≥ 0
+  /// max ‖H − H₀‖² ‖F⁻¹‖² of `count` points, H₀ = `before`.
+  double (*deformation)(const double* const* H, const float* const* before, Index count);
   /// `count` rounds of independent fused multiply-adds on registers; their number, and a sum so
   /// that nobody leaves them out.
   Index (*multiply_adds)(Index count, double& sum);

@@ -5,6 +5,7 @@
 
 #include "sweep_nodes.hpp"
 #include "sweep_points.hpp"
+#include "sweep_tangents.hpp"
 
 namespace tlsph::sweep {
 namespace {
@@ -51,7 +52,7 @@ double update(Index size, double kick, double dt, const double* a, double* v, do
 
 template <int D, class Law>
 constexpr LawKernels law_kernels() {
-  return {apply_law<D, Law>, points<D, D, Law>, points<D, D + 1, Law>};
+  return {apply_law<D, Law>, points<D, D, Law>, points<D, D + 1, Law>, stiffening<D, Law>};
 }
 
 template <int D>
@@ -67,6 +68,7 @@ constexpr Kernels<D> make_kernels() {
           law_kernels<D, StVenantKirchhoff>(),
           law_kernels<D, NeoHookean<0>>(),
           law_kernels<D, NeoHookean<3 - D>>(),
+          deformation<D>,
           multiply_adds,
           subtract,
           update};

@@ -151,7 +151,7 @@ struct NeoHookean {
     h11 = p11;
   }
 
- private:
+  /// p = λ ln J of the three-dimensional body, from ln J of the model's directions.
   TLSPH_INLINE Real pressure(Real log, Whole& good) const {
     if constexpr (Free == 0)
       return lambda * log;
@@ -159,6 +159,15 @@ struct NeoHookean {
       return pressure_of_free(log, good);
   }
 
+  /// dp/d(ln J of the model's directions) where p is the pressure; μ(1 + c) = μ − p.
+  TLSPH_INLINE Real stiffness([[maybe_unused]] Real pressure) const {
+    if constexpr (Free == 0)
+      return lambda;
+    else
+      return lambda * (mu - pressure) / (mu - pressure + 0.5 * Free * lambda);
+  }
+
+ private:
   /// −μ c of c = s² − 1, s the common stretch of the free directions: by Newton,
   ///
   ///     g(c) = μ c + λ (ln J + Free/2 ln(1 + c)) = 0,

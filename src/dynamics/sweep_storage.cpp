@@ -211,19 +211,7 @@ Dependences Storage<D>::dependences() const {
   return dep;
 }
 
-template <int D>
-std::vector<int> regions_of_points(const Discretisation<D>& disc) {
-  if (disc.regions.size() < 2) return {};
-  std::vector<int> regions(static_cast<std::size_t>(disc.points.size()), 0);
-  for (std::size_t r = 0; r < disc.regions.size(); ++r)
-    for (const int s : disc.regions[r].points)
-      regions[static_cast<std::size_t>(s)] = static_cast<int>(r);
-  return regions;
-}
-
 template class Storage<1>;
 template class Storage<2>;
-template std::vector<int> regions_of_points<1>(const Discretisation<1>&);
-template std::vector<int> regions_of_points<2>(const Discretisation<2>&);
 
 }  // namespace tlsph::sweep

@@ -51,8 +51,4 @@ class Storage {
   Neighbours rows_pattern_;
 };
 
-/// The number of the region of every material point; empty if there is one region.
-template <int D>
-[[nodiscard]] std::vector<int> regions_of_points(const Discretisation<D>& discretisation);
-
 }  // namespace tlsph::sweep

@@ -8,18 +8,11 @@
 
 #include "sweep_kernels.hpp"
 #include "sweep_plan.hpp"
+#include "sweep_region_laws.hpp"
 #include "tlsph/dynamics/ledger.hpp"
 #include "tlsph/dynamics/state.hpp"
 
 namespace tlsph::sweep {
-
-/// The law of a region as a sweep applies it: a vectorised kernel, or point by point.
-template <int D>
-struct RegionLaw {
-  LawKernels kernel;
-  LawConstants constants;
-  const AnyLaw<D>* any = nullptr;  ///< where there is no kernel
-};
 
 /// What all threads share, constant in time.
 template <int D>

@@ -6,6 +6,7 @@
 #include <array>
 #include <variant>
 
+#include "sweep_region_laws.hpp"
 #include "tlsph/core/parallel.hpp"
 #include "tlsph/operators/products.hpp"
 

@@ -64,7 +64,7 @@ double operator_bytes(const Scene& scene, double particles) {
   const double vector = 8.0 * d;
   const double body = 2.0 * vector + 8.0 + 4.0 * (1 << d) + points * (vector + 8.0) + vector + 16.0;
   const double state = 4.0 * vector + 2.0 * tensor;  // u, v, f, C v or a frame's velocity; H, P
-  const double follower = follows_deformation(scene) ? 2.0 * tensor : 0.0;
+  const double follower = follows_deformation(scene) ? tensor : 0.0;  // two in single precision
   // What comes and goes beside these: at set-up pattern, weights and transposed at once, and lists
   // of triplets for a stabiliser; in a run six vectors of an eigenvalue's estimate, its
   // stresses and what it keeps of the tangents.

@@ -96,12 +96,14 @@ void RunLoop<D>::save_checkpoint() {
   values.push_back(momentum_drift_);
   values.push_back(angular_drift_);
   view.arrays["numbers"] = values;
-  std::vector<double> followed;
+  std::vector<double> followed, estimated_at, checked_at;
   if (follower_) {
     followed = follower_->numbers();
+    estimated_at.assign(follower_->estimated_at().begin(), follower_->estimated_at().end());
+    checked_at.assign(follower_->checked_at().begin(), follower_->checked_at().end());
     view.arrays["follower"] = followed;
-    view.arrays["estimated_at"] = flat(follower_->estimated_at());
-    view.arrays["checked_at"] = flat(follower_->checked_at());
+    view.arrays["estimated_at"] = estimated_at;
+    view.arrays["checked_at"] = checked_at;
   }
   std::vector<double> lost;
   if (hyperbolicity_lost_) {

@@ -55,6 +55,7 @@ void RunLoop<D>::plan_sweep(Summary& summary) {
   sweep_.emplace(disc_, options);
   summary.storage = sweep_->storage();
   forces_ = sweep_->boundary_forces();
+  if (follower_) follower_->read_by(*sweep_);
   if (!probes_.columns().empty()) excerpt_.emplace(disc_, probes_.nodes(), probes_.points());
 }
 
@@ -141,7 +142,6 @@ void RunLoop<D>::evaluate_for_observers() {
     if (evaluated_ && state_.step > 0) ledger_.arrive(disc_, state_, clock_.dt);
     output_seconds_ += watch.seconds();
   }
-  if (!evaluated_ && strains_due()) disc_.gradient.gradient(state_.u, state_.H);
 }
 
 template <int D>

@@ -35,7 +35,6 @@ class RunLoop {
   [[nodiscard]] bool books_due() const;
   [[nodiscard]] bool frame_due() const;
   [[nodiscard]] bool probes_due() const;
-  [[nodiscard]] bool strains_due() const;
   void observe();
   void sample_books();
   void watch_hyperbolicity();

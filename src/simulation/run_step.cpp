@@ -37,13 +37,8 @@ void RunLoop<D>::set_step(double wanted) {
 }
 
 template <int D>
-bool RunLoop<D>::strains_due() const {
-  return follower_ && state_.step != clock_.last() && follower_->due(state_);
-}
-
-template <int D>
 void RunLoop<D>::follow_deformation() {
-  if (!strains_due()) return;
+  if (!follower_ || state_.step == clock_.last()) return;
   const double previous = clock_.dt;
   if (!follower_->follow(state_)) return;
   set_step(follower_->step());
@@ -57,8 +52,6 @@ void RunLoop<D>::follow_deformation() {
 
 template void RunLoop<1>::choose_step(Summary&);
 template void RunLoop<2>::choose_step(Summary&);
-template bool RunLoop<1>::strains_due() const;
-template bool RunLoop<2>::strains_due() const;
 template void RunLoop<1>::follow_deformation();
 template void RunLoop<2>::follow_deformation();
 

@@ -7,17 +7,20 @@
 ///
 ///     ω²_max ≤ ω²_max(estimate) + γ max_s λ_max(A_s − A_s(estimate)),    γ = λ_max(M⁻¹ Gᵀ V G)
 ///
-/// γ is a constant of the operators. The bound costs two tangents a point, wanted only where the
-/// body has deformed by a part of a per cent since it was last taken, and a new estimate only where
-/// what the bound may have wasted would have paid for it. How much a body deforms in the steps to
-/// come is read off the last ones; no point may deform by more than a tenth in a step, whose
-/// tangent could be overtaken otherwise. (Where D is not the adjoint of G, as in `mirror` and
-/// `thesis`, K is not symmetric and the same formula is an estimate.)
+/// γ is a constant of the operators. Strains come from the displacements block by block, in the
+/// inner loops of a sweep, and never leave the cache. The bound costs two tangents a point, wanted
+/// only where the body has deformed by a part of a per cent since it was last taken, and a new
+/// estimate only where what the bound may have wasted would have paid for it. How much a body
+/// deforms in the steps to come is read off the last ones; no point may deform by more than a tenth
+/// in a step, whose tangent could be overtaken otherwise. (Where D is not the adjoint of G, as in
+/// `mirror` and `thesis`, K is not symmetric and the same formula is an estimate.)
 
+#include <memory>
 #include <vector>
 
 #include "tlsph/dynamics/critical_step.hpp"
 #include "tlsph/dynamics/linearised.hpp"
+#include "tlsph/dynamics/sweep.hpp"
 
 namespace tlsph {
 
@@ -26,6 +29,13 @@ class StepFollower {
  public:
   /// Estimates at `state`, evaluated. NumericalError if nothing limits the step there.
   StepFollower(const Discretisation<D>& discretisation, const State<D>& state, double safety);
+  StepFollower(const StepFollower&) = delete;
+  StepFollower& operator=(const StepFollower&) = delete;
+  ~StepFollower();
+
+  /// From now on only u of a state is looked at: its strains come by the operators of a sweep of
+  /// the same discretisation, which must outlive this.
+  void read_by(const Sweep<D>& sweep);
 
   /// The last estimate.
   [[nodiscard]] const CriticalStep& critical() const { return critical_; }
@@ -33,16 +43,17 @@ class StepFollower {
   [[nodiscard]] double step() const { return step_; }
 
   /// Says that no particle has moved by more than this [m] in a component since the step before.
-  /// With it, `due` leaves out looks at a body that cannot have deformed by what matters.
+  /// With it, there are no looks at a body that cannot have deformed by what matters, and one out
+  /// of turn at a body that is struck: whose particles move faster than anybody has reckoned with.
   void travelled(double distance) {
     path_known_ = true;
     path_ += distance;
+    last_path_ = distance;
   }
-  /// True at steps at which `follow` should look at H; at others it needs no evaluated state.
-  [[nodiscard]] bool due(const State<D>& state) const;
-  /// After `evaluate` at every step; most of the time nothing happens. True when `step()` has
-  /// changed. Takes memory only for a new estimate.
-  bool follow(const State<D>& state);
+  /// At every step, the state evaluated unless a sweep reads its strains; most of the time nothing
+  /// happens. True when `step()` has changed. Takes memory only for a new estimate, which also
+  /// leaves H of the state evaluated.
+  bool follow(State<D>& state);
 
   /// 2/√(ω²_max bound) at a state, whatever was looked at before [s].
   [[nodiscard]] double bound(const State<D>& state) const;
@@ -53,19 +64,18 @@ class StepFollower {
 
   /// What a checkpoint needs, beside the two fields, to go on bit for bit.
   [[nodiscard]] std::vector<double> numbers() const;
-  [[nodiscard]] const TensorField<D>& estimated_at() const { return H_estimate_; }
-  [[nodiscard]] const TensorField<D>& checked_at() const { return H_check_; }
-  static constexpr std::size_t number_count = 18;
+  [[nodiscard]] const std::vector<float>& estimated_at() const { return H_estimate_; }
+  [[nodiscard]] const std::vector<float>& checked_at() const { return H_check_; }
+  static constexpr std::size_t number_count = 20;
   /// Entries as `numbers` and the fields gave them.
   void restore(const std::vector<double>& numbers, const std::vector<double>& estimated_at,
                const std::vector<double>& checked_at);
 
  private:
-  /// γ max_s λ_max(A_s − A_s(estimate)), at most that [1/s²].
-  [[nodiscard]] double stiffening(const TensorField<D>& H, double gamma) const;
+  [[nodiscard]] bool due(const State<D>& state) const;
   [[nodiscard]] double share_of_estimate(double added) const;
-  void estimate(const State<D>& state);
-  void check(const State<D>& state);
+  void estimate(State<D>& state);
+  void check(State<D>& state);
 
   const Discretisation<D>& disc_;
   double safety_;
@@ -76,9 +86,11 @@ class StepFollower {
   double limit_;  ///< critical step by the last bound [s]
   double step_;
   double price_, waste_ = 0.0, waste_a_step_ = 0.0;  ///< of estimates and without them, in steps
-  TensorField<D> H_estimate_, H_check_;
+  std::unique_ptr<sweep::StrainWatch<D>> watch_;
+  std::vector<float> H_estimate_, H_check_;  ///< by direction
   bool path_known_ = false;
-  double path_ = 0.0;     ///< since the last look, at most [m]
+  double path_ = 0.0;                            ///< since the last look, at most [m]
+  double last_path_ = 0.0, path_at_look_ = 0.0;  ///< of one step [m]
   double row_sum_ = 0.0;  ///< largest Σ_q |w^a_sq| of a material point [1/m]
   double change_ = 0.0;   ///< relative deformation since the last bound, at the last look
   long last_look_ = 0, next_look_ = 1;

@@ -30,6 +30,13 @@
 
 namespace tlsph {
 
+namespace sweep {
+template <int D>
+class Storage;
+template <int D>
+class StrainWatch;
+}  // namespace sweep
+
 /// Which of the compiled inner loops run; `widest` that this processor has.
 enum class Instructions { widest, baseline, avx2, avx512 };
 /// True where the program has them and the processor too.
@@ -85,6 +92,9 @@ class Sweep {
   [[nodiscard]] StorageReport storage() const;
 
  private:
+  friend class sweep::StrainWatch<D>;
+  [[nodiscard]] const sweep::Storage<D>& operators() const;
+
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };

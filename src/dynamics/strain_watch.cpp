@@ -1,0 +1,202 @@
+#include "strain_watch.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tlsph/core/parallel.hpp"
+#include "tlsph/materials/any_law.hpp"
+
+namespace tlsph::sweep {
+namespace {
+
+/// max λ_max(A(H) − A(H₀)) of points of a law without kernels, by Gershgorin's discs.
+template <int D, class Directions, class Stored>
+double stiffening_of(const AnyLaw<D>& law, Index count, const Directions& H, const Stored& before) {
+  const auto tangent_at = [&](const auto& field, Index s) {
+    Tensor<D> strain;
+    for (int i = 0; i < D; ++i)
+      for (int a = 0; a < D; ++a) strain(i, a) = field[static_cast<std::size_t>(a)][s * D + i];
+    return tangent<D>(law, strain);
+  };
+  double end = 0.0;
+  for (Index s = 0; s < count; ++s) {
+    const Tangent<D> A = tangent_at(H, s) - tangent_at(before, s);
+    for (int i = 0; i < D * D; ++i)
+      end = std::max(end, A(i, i) + A.row(i).cwiseAbs().sum() - std::abs(A(i, i)));
+  }
+  return end;
+}
+
+}  // namespace
+
+template <int D>
+StrainWatch<D>::StrainWatch(const Discretisation<D>& disc)
+    : disc_(disc),
+      kernels_(kernels<D>(widest_level())),
+      points_(disc.points.size()),
+      blocks_((points_ + block_rows - 1) / block_rows),
+      laws_(region_laws<D>(disc, kernels_, false)),
+      region_(regions_of_points(disc)) {
+  const int threads = worth_threads(points_) ? omp_get_max_threads() : 1;
+  for (int t = 0; t < threads; ++t) {
+    buffers_.push_back(std::make_unique<Buffer>());
+    Buffer& buffer = *buffers_.back();
+    for (std::size_t a = 0; a < most_directions; ++a) {
+      buffer.values[a].assign(static_cast<std::size_t>(block_rows * D + overrun), 0.0);
+      buffer.direction[a] = buffer.values[a].data();
+    }
+  }
+}
+
+template <int D>
+void StrainWatch<D>::read_by(const Sweep<D>& sweep) {
+  storage_ = &sweep.operators();
+  for (Index b = 0; b < blocks_; ++b)
+    first_run_.push_back(append_runs(storage_->gradient.runs, b * block_rows,
+                                     std::min(points_, (b + 1) * block_rows), runs_));
+  first_run_.push_back(static_cast<Index>(runs_.size()));
+}
+
+template <int D>
+void StrainWatch<D>::read(Index block, const State<D>& state, double* const* H) const {
+  const Index first = block * block_rows;
+  if (storage_ != nullptr) {
+    const auto b = static_cast<std::size_t>(block);
+    (storage_->modes ? kernels_.gradient_and_modes : kernels_.gradient)(
+        storage_->gradient_table, {runs_.data() + first_run_[b], first_run_[b + 1] - first_run_[b]},
+        state.u.data(), state.u.size(), {H, first});
+    return;
+  }
+  const Index count = std::min(block_rows, points_ - first);
+  for (Index s = 0; s < count; ++s)
+    for (int i = 0; i < D; ++i)
+      for (int a = 0; a < D; ++a) H[a][s * D + i] = state.H(first + s, i * D + a);
+}
+
+/// Maxima do not depend on the order, nor on the number of threads.
+template <int D>
+template <class Visit>
+auto StrainWatch<D>::largest(const State<D>& state, const Visit& visit) -> Change {
+  const auto look = [&](Index block, Buffer& buffer) -> Change {
+    read(block, state, buffer.direction.data());
+    Directions H;
+    std::copy_n(buffer.direction.begin(), D, H.begin());
+    const Index first = block * block_rows;
+    return visit(first, std::min(block_rows, points_ - first), H);
+  };
+  double stiffest = 0.0;
+  double furthest = 0.0;
+  const auto threads = static_cast<int>(buffers_.size());
+  if (threads == 1) {
+    for (Index b = 0; b < blocks_; ++b) {
+      const Change change = look(b, *buffers_.front());
+      stiffest = std::max(stiffest, change.stiffening);
+      furthest = std::max(furthest, change.deformation);
+    }
+    return {stiffest, furthest};
+  }
+#pragma omp parallel for schedule(static) reduction(max : stiffest, furthest) num_threads(threads)
+  for (Index b = 0; b < blocks_; ++b) {
+    const Change change = look(b, *buffers_[static_cast<std::size_t>(omp_get_thread_num())]);
+    stiffest = std::max(stiffest, change.stiffening);
+    furthest = std::max(furthest, change.deformation);
+  }
+  return {stiffest, furthest};
+}
+
+template <int D>
+auto StrainWatch<D>::at(const StrainField& field, Index point) const -> Stored {
+  Stored result;
+  for (std::size_t a = 0; a < D; ++a)
+    result[a] = field.data() + (static_cast<Index>(a) * points_ + point) * D;
+  return result;
+}
+
+template <int D>
+void StrainWatch<D>::copy(Index first, Index count, const Directions& H, StrainField& to) const {
+  for (std::size_t a = 0; a < D; ++a)
+    std::transform(H[a], H[a] + count * D,
+                   to.data() + (static_cast<Index>(a) * points_ + first) * D,
+                   [](double value) { return static_cast<float>(value); });
+}
+
+template <int D>
+StrainField StrainWatch<D>::strains(const State<D>& state) {
+  StrainField field(static_cast<std::size_t>(points_ * D * D));
+  store(state, field);
+  return field;
+}
+
+template <int D>
+void StrainWatch<D>::store(const State<D>& state, StrainField& to) {
+  (void)largest(state, [&](Index first, Index count, const Directions& H) {
+    copy(first, count, H, to);
+    return Change{};
+  });
+}
+
+template <int D>
+double StrainWatch<D>::deformation(const State<D>& state, const StrainField& before) {
+  const Change most = largest(state, [&](Index first, Index count, const Directions& H) {
+    return Change{0.0, kernels_.deformation(H.data(), at(before, first).data(), count)};
+  });
+  return std::sqrt(most.deformation);
+}
+
+template <int D>
+double StrainWatch<D>::stiffening(const State<D>& state, const StrainField& before) {
+  return largest(state,
+                 [&](Index first, Index count, const Directions& H) {
+                   return Change{stiffening_of_block(first, count, H, at(before, first)), 0.0};
+                 })
+      .stiffening;
+}
+
+template <int D>
+auto StrainWatch<D>::change(const State<D>& state, const StrainField& before, StrainField& to)
+    -> Change {
+  Change most = largest(state, [&](Index first, Index count, const Directions& H) {
+    const Stored then = at(before, first);
+    copy(first, count, H, to);
+    return Change{stiffening_of_block(first, count, H, then),
+                  kernels_.deformation(H.data(), then.data(), count)};
+  });
+  most.deformation = std::sqrt(most.deformation);
+  return most;
+}
+
+template <int D>
+double StrainWatch<D>::stiffening_of_block(Index first, Index count, const Directions& H,
+                                           const Stored& before) const {
+  if (region_.empty()) return stiffening_of_region(0, count, H, before);
+  double most = 0.0;
+  for (Index s = 0; s < count;) {
+    const int region = region_[static_cast<std::size_t>(first + s)];
+    Index end = s + 1;
+    while (end < count && region_[static_cast<std::size_t>(first + end)] == region) ++end;
+    Directions some = H;
+    Stored some_before = before;
+    for (std::size_t a = 0; a < D; ++a) {
+      some[a] += s * D;
+      some_before[a] += s * D;
+    }
+    most = std::max(most, stiffening_of_region(region, end - s, some, some_before));
+    s = end;
+  }
+  return most;
+}
+
+template <int D>
+double StrainWatch<D>::stiffening_of_region(Index region, Index count, const Directions& H,
+                                            const Stored& before) const {
+  const RegionLaw<D>& law = laws_[static_cast<std::size_t>(region)];
+  if (law.any != nullptr) return stiffening_of<D>(*law.any, count, H, before);
+  return law.kernel.stiffening(law.constants, H.data(), before.data(), count);
+}
+
+template class StrainWatch<1>;
+template class StrainWatch<2>;
+
+}  // namespace tlsph::sweep
