@@ -17,9 +17,9 @@ namespace {
 template <int D>
 class Linearised {
  public:
-  Linearised(const Discretisation<D>& disc, const State<D>& state)
+  Linearised(const Discretisation<D>& disc, const State<D>& state, const Sweep<D>* sweep)
       : disc_(disc),
-        forces_(disc, state),
+        forces_(disc, state, sweep),
         x_(VectorField<D>::Zero(disc.nodes(), D)),
         y_(x_),
         root_(disc.inverse_mass.cwiseSqrt()) {}
@@ -96,8 +96,9 @@ double damped_step(Linearised<D>& linearised, double undamped, double tolerance)
 
 template <int D>
 std::optional<CriticalStep> critical_step_if_any(const Discretisation<D>& disc,
-                                                 const State<D>& state, double tolerance) {
-  Linearised<D> linearised(disc, state);
+                                                 const State<D>& state, double tolerance,
+                                                 const Sweep<D>* sweep) {
+  Linearised<D> linearised(disc, state, sweep);
   CriticalStep result;
   if (disc.adjoint) {
     const double omega_squared = largest(linearised, 1.0, 0.0, tolerance);
@@ -129,9 +130,11 @@ CriticalStep critical_step(const Discretisation<D>& disc, const State<D>& state)
 }
 
 template std::optional<CriticalStep> critical_step_if_any<1>(const Discretisation<1>&,
-                                                             const State<1>&, double);
+                                                             const State<1>&, double,
+                                                             const Sweep<1>*);
 template std::optional<CriticalStep> critical_step_if_any<2>(const Discretisation<2>&,
-                                                             const State<2>&, double);
+                                                             const State<2>&, double,
+                                                             const Sweep<2>*);
 template CriticalStep critical_step<1>(const Discretisation<1>&, const State<1>&);
 template CriticalStep critical_step<2>(const Discretisation<2>&, const State<2>&);
 

@@ -17,8 +17,13 @@ constexpr Index worth_a_sweep = 10'000;
 }  // namespace
 
 template <int D>
-LinearisedForces<D>::LinearisedForces(const Discretisation<D>& disc, const State<D>& state)
+LinearisedForces<D>::LinearisedForces(const Discretisation<D>& disc, const State<D>& state,
+                                      const Sweep<D>* sweep)
     : disc_(disc), state_(state), zero_(disc.signals.size(), 0.0) {
+  if (sweep != nullptr && disc.viscosity.nonZeros() == 0) {
+    pass_ = std::make_unique<sweep::TangentPass<D>>(disc, state, &sweep->operators());
+    return;
+  }
   if (disc.nodes() >= worth_a_sweep && Sweep<D>::possible(disc) && disc.viscosity.nonZeros() == 0) {
     if (!disc.linear() && !(state.H.array() == 0.0).all()) {
       pass_ = std::make_unique<sweep::TangentPass<D>>(disc, state);

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "strain_watch.hpp"
+#include "tangent_pass.hpp"
 #include "tlsph/linear/krylov.hpp"
 
 namespace tlsph {
@@ -57,35 +59,6 @@ double largest_row_sum(const VectorOperator<D>& gradient) {
   return largest;
 }
 
-/// γ: the operators with the unit tangent, by the same products as K.
-template <int D>
-double unit_stiffness(const Discretisation<D>& disc) {
-  TensorField<D> H = TensorField<D>::Zero(disc.points.size(), D * D);
-  VectorField<D> x = VectorField<D>::Zero(disc.nodes(), D);
-  VectorField<D> y = x;
-  typename GhostGradient<D>::Workspace workspace;
-  if (disc.ghosts) workspace = disc.ghosts->workspace();
-  const std::vector<double> zero(disc.signals.size(), 0.0);
-  const auto root = disc.inverse_mass.cwiseSqrt();  // an expression: no field of its own
-  const auto product = [&](const Eigen::VectorXd& in, Eigen::VectorXd& out) {
-    x = Eigen::Map<const VectorField<D>>(in.data(), disc.nodes(), D).cwiseProduct(root);
-    if (disc.ghosts)
-      disc.ghosts->apply(x, zero, H, workspace);
-    else
-      disc.gradient.gradient(x, H);
-    for (const SignalTerm& term : disc.stress_values) H.data()[term.slot] = 0.0;
-    disc.divergence.divergence(H, y);
-    Eigen::Map<VectorField<D>>(out.data(), disc.nodes(), D) = -y.cwiseProduct(root);
-  };
-  if (disc.adjoint)
-    return largest_eigenvalue(product, x.size(),
-                              {.max_steps = 200, .tolerance = tolerance_of_gamma})
-        .upper_bound;
-  const auto values =
-      arnoldi_eigenvalues(product, x.size(), static_cast<int>(std::min<Index>(x.size(), 120)));
-  return std::abs(values.front());
-}
-
 }  // namespace
 
 template <int D>
@@ -109,9 +82,48 @@ StepFollower<D>::StepFollower(const Discretisation<D>& disc, const State<D>& sta
 template <int D>
 StepFollower<D>::~StepFollower() = default;
 
+/// γ: the operators with the unit tangent, by the same products as K.
+template <int D>
+double StepFollower<D>::unit_stiffness() const {
+  std::optional<sweep::TangentPass<D>> pass;
+  TensorField<D> H;
+  typename GhostGradient<D>::Workspace workspace;
+  if (sweep_ != nullptr)
+    pass.emplace(disc_, sweep_->operators());
+  else
+    H = TensorField<D>::Zero(disc_.points.size(), D * D);
+  if (disc_.ghosts) workspace = disc_.ghosts->workspace();
+  VectorField<D> x = VectorField<D>::Zero(disc_.nodes(), D);
+  VectorField<D> y = x;
+  const std::vector<double> zero(disc_.signals.size(), 0.0);
+  const auto root = disc_.inverse_mass.cwiseSqrt();  // an expression: no field of its own
+  const auto product = [&](const Eigen::VectorXd& in, Eigen::VectorXd& out) {
+    x = Eigen::Map<const VectorField<D>>(in.data(), disc_.nodes(), D).cwiseProduct(root);
+    if (pass) {
+      pass->product(x, y);
+    } else {
+      if (disc_.ghosts)
+        disc_.ghosts->apply(x, zero, H, workspace);
+      else
+        disc_.gradient.gradient(x, H);
+      for (const SignalTerm& term : disc_.stress_values) H.data()[term.slot] = 0.0;
+      disc_.divergence.divergence(H, y);
+    }
+    Eigen::Map<VectorField<D>>(out.data(), disc_.nodes(), D) = -y.cwiseProduct(root);
+  };
+  if (disc_.adjoint)
+    return largest_eigenvalue(product, x.size(),
+                              {.max_steps = 200, .tolerance = tolerance_of_gamma})
+        .upper_bound;
+  const auto values =
+      arnoldi_eigenvalues(product, x.size(), static_cast<int>(std::min<Index>(x.size(), 120)));
+  return std::abs(values.front());
+}
+
 template <int D>
 void StepFollower<D>::read_by(const Sweep<D>& sweep) {
   watch_->read_by(sweep);
+  sweep_ = &sweep;
 }
 
 /// s with (s Δt)² (ω² + added) = 4 where Δt = 2/ω; with a viscosity, whose share of Δt²K + 2ΔtC
@@ -126,7 +138,7 @@ double StepFollower<D>::share_of_estimate(double added) const {
 
 template <int D>
 double StepFollower<D>::bound(const State<D>& state) const {
-  const double gamma = gamma_ > 0.0 ? gamma_ : unit_stiffness<D>(disc_);
+  const double gamma = gamma_ > 0.0 ? gamma_ : unit_stiffness();
   return std::min(critical_.dt, first_) *
          share_of_estimate(gamma * watch_->stiffening(state, H_estimate_));
 }
@@ -138,7 +150,7 @@ template <int D>
 void StepFollower<D>::estimate(State<D>& state) {
   ++estimates_;
   if (!watch_->reads_strains()) disc_.gradient.gradient(state.u, state.H);
-  const auto critical = critical_step_if_any<D>(disc_, state, tolerance_of_estimate);
+  const auto critical = critical_step_if_any<D>(disc_, state, tolerance_of_estimate, sweep_);
   if (critical) critical_ = *critical;
   if (!critical || !(critical_.dt < first_)) critical_.dt = first_;
   watch_->store(state, H_estimate_);
@@ -148,7 +160,7 @@ void StepFollower<D>::estimate(State<D>& state) {
 template <int D>
 void StepFollower<D>::check(State<D>& state) {
   ++bounds_;
-  if (gamma_ == 0.0) gamma_ = unit_stiffness<D>(disc_);  // a body that hardly deforms never asks
+  if (gamma_ == 0.0) gamma_ = unit_stiffness();  // a body that hardly deforms never asks
   const auto change = watch_->change(state, H_estimate_, H_check_);
   const double share = share_of_estimate(gamma_ * change.stiffening);
   limit_ = std::min(critical_.dt, first_) * share;

@@ -84,18 +84,36 @@ void keep_factors(const Region<D>& region, const TensorField<D>& H, std::vector<
 }  // namespace
 
 template <int D>
-TangentPass<D>::TangentPass(const Discretisation<D>& disc, const State<D>& state)
+TangentPass<D>::TangentPass(const Discretisation<D>& disc, const State<D>& state,
+                            const Storage<D>* operators)
     : disc_(disc),
-      state_(state),
-      storage_(disc, false),
+      state_(&state),
+      own_(operators == nullptr ? std::make_unique<Storage<D>>(disc, false) : nullptr),
+      storage_(operators == nullptr ? *own_ : *operators),
       kernels_(kernels<D>(widest_level())),
       points_(cut(storage_.gradient.runs, disc.points.size())),
       nodes_(cut(storage_.divergence.runs, disc.nodes())),
       region_(regions_of_points(disc)) {
   for (const Region<D>& region : disc.regions) keep_factors<D>(region, state.H, factors_);
+  allocate();
+}
+
+template <int D>
+TangentPass<D>::TangentPass(const Discretisation<D>& disc, const Storage<D>& operators)
+    : disc_(disc),
+      storage_(operators),
+      kernels_(kernels<D>(widest_level())),
+      points_(cut(storage_.gradient.runs, disc.points.size())),
+      nodes_(cut(storage_.divergence.runs, disc.nodes())) {
+  allocate();
+}
+
+template <int D>
+void TangentPass<D>::allocate() {
   stress_.resize(storage_.modes ? D + 1 : D);
   for (auto& stress : stress_)
-    stress.assign(static_cast<std::size_t>(disc.points.size() * D + overrun), 0.0);
+    stress.assign(static_cast<std::size_t>(disc_.points.size() * D + overrun), 0.0);
+  threads_ = worth_threads(disc_.nodes()) ? omp_get_max_threads() : 1;
 }
 
 template <int D>
@@ -111,6 +129,11 @@ auto TangentPass<D>::cut(const std::vector<RowRun>& runs, Index rows) -> Blocks 
 
 template <int D>
 void TangentPass<D>::stresses(Index first, Index last, double* const* window) {
+  if (state_ == nullptr) {
+    for (std::size_t a = 0; a < D; ++a)
+      std::copy_n(window[a], (last - first) * D, stress_[a].data() + first * D);
+    return;
+  }
   for (Index s = first; s < last;) {
     const int region = region_.empty() ? 0 : region_[static_cast<std::size_t>(s)];
     Index end = region_.empty() ? last : s + 1;
@@ -123,7 +146,7 @@ void TangentPass<D>::stresses(Index first, Index last, double* const* window) {
     }
     std::visit(
         [&]<class Law>(const Law& law) {
-          apply_tangent<Law, D>(law, state_.H.data() + s * D * D,
+          apply_tangent<Law, D>(law, state_->H.data() + s * D * D,
                                 factors_.empty() ? nullptr : factors_.data() + s * kept, end - s,
                                 change, stress);
         },
@@ -138,7 +161,7 @@ void TangentPass<D>::product(const VectorField<D>& x, VectorField<D>& force) {
   for (std::size_t a = 0; a < stress_.size(); ++a) stress[a] = stress_[a].data();
   const auto gradient = storage_.modes ? kernels_.gradient_and_modes : kernels_.gradient;
   const auto divergence = storage_.modes ? kernels_.divergence_and_modes : kernels_.divergence;
-#pragma omp parallel
+#pragma omp parallel num_threads(threads_)
   {
     const Buffer<D> buffer;
     double* const* out = buffer.data();
@@ -148,7 +171,7 @@ void TangentPass<D>::product(const VectorField<D>& x, VectorField<D>& force) {
       gradient(storage_.gradient_table, runs_of(points_, block), x.data(), x.size(),
                {out, block.first});
       stresses(block.first, block.last, out);
-      if (storage_.modes)
+      if (storage_.modes && state_ != nullptr)
         std::copy_n(out[D], (block.last - block.first) * D, stress[D] + block.first * D);
     }
 #pragma omp for schedule(static)
@@ -161,7 +184,8 @@ void TangentPass<D>::product(const VectorField<D>& x, VectorField<D>& force) {
           force.data()[q * D + i] = disc_.mass[q] * out[0][(q - block.first) * D + i];
     }
   }
-  if (disc_.stiffness.nonZeros() > 0) subtract_differences<D>(disc_.stiffness, x, force);
+  if (state_ != nullptr && disc_.stiffness.nonZeros() > 0)
+    subtract_differences<D>(disc_.stiffness, x, force);
 }
 
 template class TangentPass<1>;

@@ -4,6 +4,7 @@
 /// sweep: the change of the strains and at once, in its place, of the stresses, then the forces.
 /// Not for other rooms.
 
+#include <memory>
 #include <vector>
 
 #include "sweep_storage.hpp"
@@ -15,7 +16,11 @@ template <int D>
 class TangentPass {
  public:
   /// Both must outlive this and `state.H` stay as it is. `Sweep::possible`, no viscosity.
-  TangentPass(const Discretisation<D>& discretisation, const State<D>& state);
+  /// `operators`: those of a sweep, which must outlive this too; none: its own.
+  TangentPass(const Discretisation<D>& discretisation, const State<D>& state,
+              const Storage<D>* operators = nullptr);
+  /// The unit tangent in place of the laws', and no stabiliser.
+  TangentPass(const Discretisation<D>& discretisation, const Storage<D>& operators);
 
   /// −K x = D (A : G x) − S x, the change of the forces with a displacement x (N×d) [N per
   /// thickness].
@@ -35,17 +40,20 @@ class TangentPass {
   static Runs runs_of(const Blocks& blocks, const Block& block) {
     return {blocks.runs.data() + block.run, block.runs};
   }
+  void allocate();
   /// The change of the stresses of points [first, last), from that of the strains in `window`.
   void stresses(Index first, Index last, double* const* window);
 
   const Discretisation<D>& disc_;
-  const State<D>& state_;
-  Storage<D> storage_;
+  const State<D>* state_ = nullptr;  // none: the unit tangent
+  std::unique_ptr<Storage<D>> own_;
+  const Storage<D>& storage_;
   const Kernels<D>& kernels_;
   Blocks points_, nodes_;
   std::vector<int> region_;                  // of every point; empty if there is one only
   std::vector<double> factors_;              // of the tangents, where a law keeps some
   std::vector<std::vector<double>> stress_;  // of all points, a direction each
+  int threads_ = 1;
 };
 
 }  // namespace tlsph::sweep

@@ -6,6 +6,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -68,15 +69,22 @@ void crush(const Subject& subject, const Method& method, Motion motion, double s
   State<D> state = make_state<D>(disc, VectorField<D>::Zero(disc.nodes(), D), v);
   evaluate<D>(disc, state);
   StepFollower<D> follower(disc, state, row.safety);
+  std::optional<Sweep<D>> sweep;  // as runs do
+  if (Sweep<D>::possible(disc)) {
+    sweep.emplace(disc);
+    follower.read_by(*sweep);
+  }
+  BoundaryForces<D> forces(disc);
   double dt = follower.step();
   double stepping = 0.0;
   double following = 0.0;
   row.closest = 0.0;
   row.smallest = 1.0;
+  start<D>(disc, state, dt);
   try {
-    for (bool first = true; state.time < scene.time.end; first = false) {
+    while (state.time < scene.time.end) {
       auto begin = Clock::now();
-      evaluate<D>(disc, state);
+      if (!sweep) evaluate<D>(disc, state);
       stepping += seconds_since(begin);
       if (follow == Follow::follower) {
         begin = Clock::now();
@@ -84,15 +92,21 @@ void crush(const Subject& subject, const Method& method, Motion motion, double s
         following += seconds_since(begin);
       }
       if (compare && state.step % compare_every == 0) {
+        if (sweep) evaluate<D>(disc, state);
         if (const auto limit = critical_step_if_any<D>(disc, state))
           row.closest = std::max(row.closest, dt / limit->dt);
         row.smallest = std::min(row.smallest, smallest_volume<D>(state));
       }
       begin = Clock::now();
-      if (first) start<D>(disc, state, dt);
-      advance<D>(disc, state, dt, state.time + dt);
+      if (sweep) {
+        sweep->step(state, dt, state.time + dt, forces);
+        follower.travelled(dt * forces.largest_speed);
+      } else {
+        advance<D>(disc, state, dt, state.time + dt);
+      }
       stepping += seconds_since(begin);
     }
+    evaluate<D>(disc, state);
   } catch (const NumericalError& failure) {
     row.failure = failure.what();
   }

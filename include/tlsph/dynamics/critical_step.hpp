@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "tlsph/dynamics/state.hpp"
+#include "tlsph/dynamics/sweep.hpp"
 
 namespace tlsph {
 
@@ -25,9 +26,10 @@ template <int D>
                                          const State<D>& state);
 /// The same, nothing if there is no stiffness, as where a deformed material has lost it.
 /// `tolerance` is the relative residual of ω²_max at which Lanczos stops; what is left of it counts
-/// against Δt.
+/// against Δt. A sweep of the same discretisation lends its operators.
 template <int D>
 [[nodiscard]] std::optional<CriticalStep> critical_step_if_any(
-    const Discretisation<D>& discretisation, const State<D>& state, double tolerance = 1e-3);
+    const Discretisation<D>& discretisation, const State<D>& state, double tolerance = 1e-3,
+    const Sweep<D>* sweep = nullptr);
 
 }  // namespace tlsph

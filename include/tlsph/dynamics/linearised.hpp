@@ -20,8 +20,10 @@ class TangentPass;
 template <int D>
 class LinearisedForces {
  public:
-  /// Both must outlive this, and `state.H` must stay as it is.
-  LinearisedForces(const Discretisation<D>& discretisation, const State<D>& state);
+  /// Both must outlive this, and `state.H` must stay as it is. A sweep of the same discretisation,
+  /// which must outlive this too, lends its operators.
+  LinearisedForces(const Discretisation<D>& discretisation, const State<D>& state,
+                   const Sweep<D>* sweep = nullptr);
   LinearisedForces(const LinearisedForces&) = delete;
   LinearisedForces& operator=(const LinearisedForces&) = delete;
   ~LinearisedForces();

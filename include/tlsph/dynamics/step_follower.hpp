@@ -24,6 +24,11 @@
 
 namespace tlsph {
 
+namespace sweep {
+template <int D>
+class StrainWatch;
+}  // namespace sweep
+
 template <int D>
 class StepFollower {
  public:
@@ -77,7 +82,10 @@ class StepFollower {
   void estimate(State<D>& state);
   void check(State<D>& state);
 
+  [[nodiscard]] double unit_stiffness() const;
+
   const Discretisation<D>& disc_;
+  const Sweep<D>* sweep_ = nullptr;  ///< that strains and estimates are computed by
   double safety_;
   double deformation_;  ///< relative one between two bounds that the safety allows for
   double gamma_ = 0.0;  ///< zero until it is wanted

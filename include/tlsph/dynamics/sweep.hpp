@@ -33,8 +33,6 @@ namespace tlsph {
 namespace sweep {
 template <int D>
 class Storage;
-template <int D>
-class StrainWatch;
 }  // namespace sweep
 
 /// Which of the compiled inner loops run; `widest` that this processor has.
@@ -88,13 +86,13 @@ class Sweep {
   /// An empty record of the right size for `step`.
   [[nodiscard]] BoundaryForces<D> boundary_forces() const;
 
+  /// The operators as it reads them, for others in its room.
+  [[nodiscard]] const sweep::Storage<D>& operators() const;
+
   /// How rows are stored, of all operators together; bytes of what a step reads beside u and v.
   [[nodiscard]] StorageReport storage() const;
 
  private:
-  friend class sweep::StrainWatch<D>;
-  [[nodiscard]] const sweep::Storage<D>& operators() const;
-
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };

@@ -299,6 +299,11 @@ TYPED_TEST(Follower, RestsOnForcesLinearisedAtTheState) {
   };
   const VectorField<D> difference = (force_at(size) - force_at(-size)) / (2.0 * size);
   EXPECT_LT((product - difference).norm(), 1e-6 * difference.norm());
+
+  const Sweep<D> sweep(disc);
+  VectorField<D> by_sweep = VectorField<D>::Zero(disc.nodes(), D);
+  LinearisedForces<D>(disc, state, &sweep).product(direction.u, by_sweep);
+  EXPECT_LT((by_sweep - product).norm(), 1e-13 * product.norm());
 }
 
 }  // namespace
