@@ -8,8 +8,7 @@
 namespace tlsph {
 namespace {
 
-/// x × f in 2D, zero in 1D; positions of the reference configuration for linear elasticity, whose
-/// energy is not invariant under finite rotations.
+/// x × f in 2D, zero in 1D.
 template <int D>
 double cross(const Vector<D>& x, const Vector<D>& force) {
   if constexpr (D == 2)
@@ -34,26 +33,37 @@ struct Books {
   [[nodiscard]] Index slot(const std::vector<Index>& list, std::size_t k, Index dof) const {
     return slots == nullptr ? dof : list[k];
   }
-  [[nodiscard]] Vector<D> position(Index dof, Index slot) const {
-    Vector<D> x = disc.particles.X.row(dof / D).transpose();
-    if (!linear)
-      for (int i = 0; i < D; ++i) x[i] += u[slot / D * D + i];
-    return x;
+  /// Of a force on a degree of freedom about the origin, in 2D; with positions of the reference
+  /// configuration for linear elasticity, whose energy is not invariant under finite rotations.
+  [[nodiscard]] double arm(Index dof, Index slot) const requires(D == 2) {
+    const bool along_y = (dof & 1) != 0;
+    double x = disc.particles.X.data()[dof ^ 1];
+    if (!linear) x += u[slot ^ 1];
+    return along_y ? x : -x;
   }
 };
 
-/// Half a step's share of what the forces at t_n do while the velocity is `velocity(slot, dof)` for
-/// `dt`; `next(slot, dof)` is that of the coming half step.
-template <int D, class Velocity, class Next>
-void book_half(Ledger<D>& ledger, const Books<D>& books, double dt, const Velocity& velocity,
+/// The way that forces at t_n act on: parts of the half steps before and after.
+struct Ways {
+  double before = 0.0, after = 0.0;
+};
+
+/// What the forces at t_n do on half of each way, where the velocity is `before(slot, dof)` and
+/// `next(slot, dof)`.
+template <int D, class Before, class Next>
+void book_ways(Ledger<D>& ledger, const Books<D>& books, const Ways& ways, const Before& before,
                const Next& next, const Vector<D>& moment_of_mass) {
   const Discretisation<D>& disc = books.disc;
+  const double time = 0.5 * (ways.before + ways.after);
+  double work = 0.0;
+  double impulse[D] = {};
+  double angular = 0.0;
   const auto push = [&](Index dof, Index slot, double force) {
-    Vector<D> vector = Vector<D>::Zero();
-    vector[dof % D] = force;
-    ledger.impulse[dof % D] += 0.5 * dt * force;
-    if constexpr (D > 1)
-      ledger.angular_impulse += 0.5 * dt * cross<D>(books.position(dof, slot), vector);
+    impulse[dof % D] += force;
+    if constexpr (D > 1) angular += books.arm(dof, slot) * force;
+  };
+  const auto move = [&](Index dof, Index slot, double force) {
+    work += force * (ways.before * before(slot, dof) + ways.after * next(slot, dof));
   };
   const std::vector<Index> none;
   for (std::size_t l = 0; l < disc.loads.size(); ++l) {
@@ -63,7 +73,7 @@ void book_half(Ledger<D>& ledger, const Books<D>& books, double dt, const Veloci
     for (std::size_t k = 0; k < load.dof.size(); ++k) {
       const Index slot = books.slot(list, k, load.dof[k]);
       const double force = pressure * load.weight[k];
-      ledger.external_work += 0.5 * dt * force * velocity(slot, load.dof[k]);
+      move(load.dof[k], slot, force);
       push(load.dof[k], slot, force);
     }
   }
@@ -81,12 +91,15 @@ void book_half(Ledger<D>& ledger, const Books<D>& books, double dt, const Veloci
     const Index slot = books.slot(moved, k, dof);
     const double change = next(slot, dof) - books.before[slot];
     const double reaction = disc.mass[dof / D] * change / books.kick - books.f[slot];
-    ledger.external_work += 0.5 * dt * reaction * velocity(slot, dof);
+    move(dof, slot, reaction);
     push(dof, slot, reaction);
   }
+  ledger.external_work += 0.5 * work;
+  for (int i = 0; i < D; ++i) ledger.impulse[i] += time * impulse[i];
+  ledger.angular_impulse += time * angular;
   if (disc.has_body_force()) {
-    ledger.impulse += 0.5 * dt * disc.mass.sum() * disc.body_force;
-    ledger.angular_impulse += 0.5 * dt * cross<D>(moment_of_mass, disc.body_force);
+    ledger.impulse += time * disc.mass.sum() * disc.body_force;
+    ledger.angular_impulse += time * cross<D>(moment_of_mass, disc.body_force);
   }
 }
 
@@ -134,8 +147,8 @@ void Ledger<D>::arrive(const Discretisation<D>& disc, const State<D>& state, dou
   const double way = state.last_dt;
   const Books<D> books{disc,    state.f.data(), state.u.data(),   state.v.data(),
                        nullptr, state.time,     0.5 * (way + dt), disc.linear()};
-  book_half<D>(
-      *this, books, way, [&](Index, Index dof) { return state.v.data()[dof]; },
+  book_ways<D>(
+      *this, books, {way, 0.0}, [&](Index, Index dof) { return state.v.data()[dof]; },
       [&](Index, Index dof) { return next_velocity<D>(disc, state, dt, dof); },
       moment_if_needed<D>(disc, state.u));
   if (disc.viscosity.nonZeros() > 0)
@@ -153,7 +166,7 @@ void Ledger<D>::depart(const Discretisation<D>& disc, const State<D>& state, dou
                        0.5 * (state.last_dt + dt),
                        disc.linear()};
   const auto next = [&](Index, Index dof) { return next_velocity<D>(disc, state, dt, dof); };
-  book_half<D>(*this, books, dt, next, next, moment_if_needed<D>(disc, state.u));
+  book_ways<D>(*this, books, {0.0, dt}, next, next, moment_if_needed<D>(disc, state.u));
   if (disc.viscosity.nonZeros() > 0) {
     double power = 0.0;
     for (Index dof = 0; dof < state.v.size(); ++dof)
@@ -168,14 +181,12 @@ void Ledger<D>::book(const Discretisation<D>& disc, const BoundaryForces<D>& for
   const Books<D> books{disc, forces.f.data(),  forces.u.data(), forces.v.data(), &forces,
                        time, 0.5 * (way + dt), disc.linear()};
   const auto next = [&](Index, Index dof) { return after.v.data()[dof]; };
-  if (!arrived) {
-    book_half<D>(
-        *this, books, way, [&](Index slot, Index) { return forces.v.data()[slot]; }, next,
-        forces.moment_of_mass);
-    dissipated += 0.5 * way * forces.viscous_power;
-  }
-  book_half<D>(*this, books, dt, next, next, forces.moment_of_mass);
-  dissipated += 0.5 * dt * forces.viscous_power_after;
+  const Ways ways{arrived ? 0.0 : way, dt};
+  book_ways<D>(
+      *this, books, ways, [&](Index slot, Index) { return forces.v.data()[slot]; }, next,
+      forces.moment_of_mass);
+  dissipated +=
+      0.5 * (ways.before * forces.viscous_power + ways.after * forces.viscous_power_after);
 }
 
 template <int D>
