@@ -18,6 +18,9 @@ namespace tlsph::savings {
 /// from its loads, its prescribed motions and its start: of a slender body as if it bent.
 [[nodiscard]] double strain_estimate(const Scene& scene);
 
+/// Laws differ by about three times the strain: below this, by less than a run resolves.
+inline constexpr double small_strain = 1e-4;
+
 /// A nonlinear law at strains at which it is linear, where a linear one makes steps faster.
 [[nodiscard]] std::string of_law(const Scene& scene);
 

@@ -9,13 +9,12 @@
 #include "tlsph/curves/curve.hpp"
 #include "tlsph/geometry/region.hpp"
 #include "tlsph/scene/names.hpp"
+#include "tlsph/simulation/linear_law.hpp"
 #include "tlsph/simulation/reduction.hpp"
 
 namespace tlsph::savings {
 namespace {
 
-/// Laws differ by about three times the strain: below this, by less than a run resolves.
-constexpr double small_strain = 1e-4;
 /// Loads that come suddenly strain twice as much as those that come slowly.
 constexpr double sudden = 2.0;
 constexpr int instants = 256;
@@ -115,7 +114,7 @@ std::string of_law(const Scene& scene) {
   // Gradients from two or four nodes leave the law a part of the step that shows.
   if (law == LawKind::linear_elastic || scene.kernel.support) return "";
   const double strain = strain_estimate(scene);
-  if (!(strain < small_strain)) return "";
+  if (!linear_law_serves(scene)) return "";
   const double share = scene.dimension == 1 ? 0.4 : 0.8;  // as runs of the examples show
   return fmt::format(
       "  {} at strains of at most about {:.1e}: law = \"linear-elastic\" differs by as little, at "

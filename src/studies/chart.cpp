@@ -8,8 +8,9 @@
 
 #include "chart_answers.hpp"
 #include "chart_families.hpp"
+#include "chart_peers.hpp"
 #include "chart_plan.hpp"
-#include "peers.hpp"
+#include "chart_variants.hpp"
 #include "probe_values.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/io/files.hpp"
@@ -27,6 +28,9 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double peer_share = 0.3, screening_share = 0.35, repetition_share = 0.12;
 /// What a prediction may err by before a family is given up.
 constexpr double margin = 1.25;
+/// So near to the front, in time and error, variants of a family are tried; one of them may have so
+/// much less of its error: half the step at second order, or errors that cancel.
+constexpr double near_front = 1.1, variant_hope = 4.0;
 /// A run shorter than this is repeated at once: its time is noise.
 constexpr double short_run = 0.02;  // [s]
 constexpr std::size_t first_repetitions = 3, repetitions = 5;
@@ -37,22 +41,27 @@ constexpr std::size_t later_starts = 2;
 struct Contender {
   ChartFamily family;
   std::vector<Measured> runs;
-  std::size_t next = 0;  ///< rung to come
-  bool out = false;      ///< refused or failed
+  std::optional<Predicted> expected;  ///< of its first run, of a variant
+  std::size_t next = 0;               ///< rung to come
+  std::size_t first = 0;              ///< rung of its first run
+  bool out = false;                   ///< refused or failed
+  bool varied = false;                ///< its variants are contenders
 };
 
 class ChartStudy {
  public:
   ChartStudy(const ChartRequest& request, const ChartPlan& plan, const ChartOptions& options)
-      : request_(request), plan_(plan), options_(options) {
+      : request_(request), plan_(plan), options_(options), variation_(chart_variation(plan.scene)) {
     table_.scene = plan.scene.file;
     table_.version = version();
     table_.budget = request.budget;
     table_.threads = options.threads;
     table_.quantities = plan.quantities;
     table_.answers = plan.answers;
-    for (ChartFamily& family : chart_families(plan.scene.dimension, request.formulations))
-      contenders_.push_back({std::move(family), {}, 0, false});
+    for (ChartFamily& family : chart_families(plan.scene.dimension, request.formulations)) {
+      if (!plan.scene.time.step) family.step_share = plan.scene.time.safety;
+      contenders_.push_back({.family = std::move(family), .runs = {}, .expected = {}});
+    }
     table_.families = static_cast<int>(contenders_.size());
     make_output_directory(options.out);
   }
@@ -63,8 +72,15 @@ class ChartStudy {
         [&] { show("extrapolating the answer"); }, options_.stop_requested);
     std::ranges::copy(answers, table_.answers.end() - std::ssize(answers));
     const double peers_until = spent() + peer_share * request_.budget;
-    for (std::size_t k = 0; k < request_.peers.size(); ++k)
-      run_ladder_of(request_.peers[k], peers_until, static_cast<double>(request_.peers.size() - k));
+    ChartPeers{request_,
+               plan_,
+               variation_,
+               options_,
+               table_,
+               [&] { return spent(); },
+               [&](const std::string& what) { show(what); },
+               [&](ChartPoint point) { add(std::move(point)); }}
+        .run(peers_until);
     const double start = spent();
     const double searching = request_.budget * (1.0 - repetition_share) - start;
     screen(start + screening_share * searching);
@@ -86,48 +102,6 @@ class ChartStudy {
     if (options_.progress) options_.progress(what, std::min(1.0, spent() / request_.budget));
   }
 
-  /// A peer at one spacing after the other for half of its share of what is left; then its times
-  /// once more. Its first run may take all of it: a slow peer has one point.
-  void run_ladder_of(const std::string& peer, double all_until, double sharers) {
-    const double share = std::max(0.0, all_until - spent()) / sharers;
-    const double half = spent() + 0.5 * share;
-    const double until = spent() + share;
-    const std::size_t first = table_.points.size();
-    std::vector<Measured> runs;
-    for (const double spacing : plan_.ladder) {
-      if (!runs.empty() && spent() + cost_of_peer(runs, spacing) > half) break;
-      const double before = spent();
-      PeerRun run = call(peer, spacing, runs.empty() ? all_until : until);
-      if (!run.unable.empty()) {
-        if (runs.empty()) table_.notes.push_back(run.unable);
-        break;
-      }
-      run.point.setup_seconds = std::max(0.0, spent() - before - run.point.time());
-      runs.push_back({spacing, run.point.setup_seconds, run.point.time(), run.point.errors});
-      add(std::move(run.point));
-    }
-    for (std::size_t round = 1; round < first_repetitions; ++round)
-      for (std::size_t k = first; k < table_.points.size(); ++k) {
-        ChartPoint& point = table_.points[k];
-        if (spent() + point.setup_seconds + point.time() > until) continue;
-        const PeerRun again = call(peer, point.spacing, until);
-        if (again.unable.empty()) point.seconds.push_back(again.point.time());
-      }
-  }
-
-  /// Of its next run: most of a short one is its start, which does not grow until it is seen to.
-  [[nodiscard]] double cost_of_peer(const std::vector<Measured>& runs, double spacing) const {
-    const double before = runs.size() > 1 ? runs[runs.size() - 2].setup : runs.back().setup;
-    const double growth = std::clamp(runs.back().setup / before, 1.0, 10.0);
-    return growth * runs.back().setup + predict(runs, spacing, plan_.scene.dimension).stepping;
-  }
-
-  [[nodiscard]] PeerRun call(const std::string& peer, double spacing, double until) const {
-    show(fmt::format("{} at {:.4g} m", peer, spacing));
-    return run_peer(peer, plan_.scene, spacing, table_, options_.out / "peers", until - spent(),
-                    options_.stop_requested);
-  }
-
   /// Every family at the coarsest spacing it can be built at.
   void screen(double until) {
     for (Contender& contender : contenders_) {
@@ -141,41 +115,79 @@ class ChartStudy {
     }
   }
 
-  /// The most promising refinement, until nothing promises anything or the time is over.
+  /// The most promising refinement or variant, until nothing promises anything or the time is over.
   void refine(double until) {
     while (!stopped()) {
       std::vector<Measured> all;
-      for (const Contender& contender : contenders_)
-        std::ranges::move(judged(contender.runs, table_.single_numbers()), std::back_inserter(all));
+      std::vector<std::vector<Measured>> fair;
+      for (const Contender& contender : contenders_) {
+        fair.push_back(judged(contender.runs, table_.single_numbers()));
+        all.insert(all.end(), fair.back().begin(), fair.back().end());
+      }
+      for (std::size_t k = 0; k < fair.size(); ++k) vary(k, fair[k], all);
       std::vector<Prospect> prospects;
       table_.dominated = 0;
       for (const Contender& contender : contenders_) {
         prospects.emplace_back();
-        if (contender.out || contender.runs.empty() || contender.next >= plan_.ladder.size())
-          continue;
+        if (contender.out || contender.next >= plan_.ladder.size()) continue;
+        if (contender.runs.empty() && !contender.expected) continue;
         const Predicted run =
-            predict(contender.runs, plan_.ladder[contender.next], plan_.scene.dimension);
+            contender.expected
+                ? *contender.expected
+                : predict(contender.runs, plan_.ladder[contender.next], plan_.scene.dimension);
         prospects.back() = {promise(run, all, margin), run.cost()};
         table_.dominated += prospects.back().promise > 0.0 ? 0 : 1;
       }
       const std::optional<std::size_t> best = best_prospect(prospects, until - spent());
       if (!best) return;
+      contenders_[*best].expected.reset();
       (void)advance(contenders_[*best], request_.budget);
+    }
+  }
+
+  /// Makes contenders of the variants of a family whose last run that counts is on the front of
+  /// `all`, or nearly; they begin where it began.
+  void vary(std::size_t index, const std::vector<Measured>& fair,
+            const std::vector<Measured>& all) {
+    if (contenders_[index].varied || contenders_[index].out) return;
+    const auto near = [&](const Measured& run) {
+      return promise({run.setup, run.stepping, run.errors}, all, near_front) > 0.0;
+    };
+    if (std::ranges::none_of(fair, near)) return;
+    contenders_[index].varied = true;
+    for (ChartFamily& family : neighbours(contenders_[index].family, variation_)) {
+      const Contender& parent = contenders_[index];
+      const auto is_it = [&](const Contender& other) { return other.family.label == family.label; };
+      if (std::ranges::any_of(contenders_, is_it)) continue;
+      Predicted expected{fair.front().setup, fair.front().stepping, fair.front().errors};
+      if (family.step_share) expected.stepping *= *parent.family.step_share / *family.step_share;
+      for (double& error : expected.errors) error /= variant_hope;
+      const std::size_t first = parent.first;
+      contenders_.push_back({.family = std::move(family),
+                             .runs = {},
+                             .expected = std::move(expected),
+                             .next = first,
+                             .first = first});
+      ++table_.variants;
     }
   }
 
   /// Runs a family at its next spacing. False if the scene does not allow that one.
   bool advance(Contender& contender, double until) {
+    if (contender.runs.empty()) contender.first = contender.next;
     const double spacing = plan_.ladder[contender.next++];
     ChartPoint point;
     point.family = contender.family.label;
     point.overrides = contender.family.overrides;
+    std::ranges::copy(variation_.overrides(contender.family), std::back_inserter(point.overrides));
     point.overrides.push_back(fmt::format("body.spacing={}", spacing));
     point.formulation = contender.family.formulation;
     point.kernel = contender.family.kernel;
     point.stabiliser = contender.family.stabiliser;
     point.support = contender.family.support;
     point.order = contender.family.order;
+    point.law = variation_.law_of(contender.family);
+    point.step_share = contender.family.step_share;
     point.spacing = spacing;
     try {
       if (!time_once(point, until)) return true;  // not to its end: no point
@@ -262,6 +274,7 @@ class ChartStudy {
   const ChartRequest& request_;
   const ChartPlan& plan_;
   const ChartOptions& options_;
+  const ChartVariation variation_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   ChartTable table_;
   std::vector<Contender> contenders_;

@@ -17,6 +17,9 @@ struct ChartFamily {
   std::optional<double> support;
   int order = 1;
   int distance = 0;  ///< choices that are not the formulation's default
+  // Variants of a family (chart_variants.hpp).
+  bool linear = false;               ///< a linear law in the place of the scene's
+  std::optional<double> step_share;  ///< of the critical step; empty: the scene gives the step
 };
 
 /// Formulation × kernel × support × order × stabiliser, those nearest to the defaults first. Some

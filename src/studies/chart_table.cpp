@@ -95,8 +95,8 @@ std::string quantity_text(const ChartTable& table, std::size_t q) {
 
 std::string csv_text(const ChartTable& table) {
   std::string csv =
-      "peer,family,formulation,kernel,support,order,stabiliser,spacing,particles,steps,"
-      "setup_seconds,stepping_seconds,stepping_seconds_min,stepping_seconds_max,repetitions";
+      "peer,family,formulation,kernel,support,order,stabiliser,law,step_share,spacing,particles,"
+      "steps,setup_seconds,stepping_seconds,stepping_seconds_min,stepping_seconds_max,repetitions";
   const auto end = std::back_inserter(csv);
   for (const std::string& quantity : table.quantities) fmt::format_to(end, ",{}", quantity);
   for (const std::string& quantity : table.quantities) fmt::format_to(end, ",judged_{}", quantity);
@@ -105,10 +105,11 @@ std::string csv_text(const ChartTable& table) {
   for (const ChartPoint& point : table.points) {
     const auto [least, most] = point.seconds.empty() ? std::ranges::minmax_result<double>{}
                                                      : std::ranges::minmax(point.seconds);
-    fmt::format_to(end, "{},{},{},{},{},{},{},{:.17g},{},{},{},{},{},{},{}", point.peer,
+    fmt::format_to(end, "{},{},{},{},{},{},{},{},{},{:.17g},{},{},{},{},{},{},{}", point.peer,
                    csv_field(point.family), point.formulation, point.kernel,
                    point.support ? fmt::format("{}", *point.support) : "",
                    point.order > 0 ? fmt::format("{}", point.order) : "", point.stabiliser,
+                   point.law, point.step_share ? fmt::format("{}", *point.step_share) : "",
                    point.spacing, point.particles, point.steps, csv_number(point.setup_seconds),
                    csv_number(point.time()), csv_number(least), csv_number(most),
                    point.seconds.size());
@@ -131,6 +132,8 @@ Json point_json(const ChartPoint& point, const ChartTable& table) {
   json.set("support", point.support);
   json.set("order", point.order);
   json.set("stabiliser", point.stabiliser);
+  json.set_or_null("law", point.law);
+  json.set("step_share", point.step_share);  // of the critical step
   json.set("spacing", point.spacing);
   json.set("particles", point.particles);
   json.set("steps", point.steps);
@@ -215,9 +218,11 @@ std::string ChartTable::text() const {
   const auto failed =
       std::ranges::count_if(points, [](const ChartPoint& p) { return !p.failure.empty(); });
   std::string text = fmt::format(
-      "{} configurations of {} families in {:.0f} s on {} thread{}; {} families refused by the "
-      "scene, {} left behind, {} runs failed\n",
-      points.size(), families, spent, threads, threads == 1 ? "" : "s", refused, dominated, failed);
+      "{} configurations of {} families and {} variants of law and step in {:.0f} s on {} "
+      "thread{}; "
+      "{} families refused by the scene, {} left behind, {} runs failed\n",
+      points.size(), families, variants, spent, threads, threads == 1 ? "" : "s", refused,
+      dominated, failed);
   for (std::size_t q = 0; q < quantities.size(); ++q) text += quantity_text(*this, q);
   for (const std::string& note : notes) text += "\n" + note;
   if (!notes.empty()) text += "\n";
@@ -236,6 +241,7 @@ void ChartTable::write(const std::filesystem::path& directory) const {
   json.set("quantities", quantities);
   json.set("answers", answers);
   json.set("families", families);
+  json.set("variants", variants);
   json.set("refused", refused);
   json.set("dominated", dominated);
   json.set("notes", notes);

@@ -14,6 +14,7 @@
 #include "tlsph/scene/edit.hpp"
 #include "tlsph/scene/names.hpp"
 #include "tlsph/scene/reader.hpp"
+#include "tlsph/simulation/linear_law.hpp"
 #include "tlsph/simulation/reduction.hpp"
 
 namespace tlsph {
@@ -109,17 +110,6 @@ void reduce(FitPlan& plan, const FitRequest& request, const Scene& scene) {
       request.value && read_of(request.value->name, scene).component.find('y') != std::string::npos;
   if (!reads_y && reduce(plan, to_one_dimension(read_scene_text(plan.text, plan.name)))) return;
   for (const int axis : {0, 1}) reduce(plan, to_half(read_scene_text(plan.text, plan.name), axis));
-}
-
-std::vector<std::string> linear_law(const Scene& scene) {
-  const bool linear = std::ranges::all_of(scene.materials, [](const MaterialScene& material) {
-    return material.law == LawKind::linear_elastic;
-  });
-  if (linear || scene.exact == ExactKind::uniform_stretch) return {};
-  std::vector<std::string> overrides = {"material.law=linear-elastic"};
-  for (std::size_t k = 1; k < scene.materials.size(); ++k)
-    overrides.push_back(fmt::format("material.region[{}].law=linear-elastic", k - 1));
-  return overrides;
 }
 
 template <int D>

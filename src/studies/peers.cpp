@@ -63,6 +63,9 @@ ChartPoint read_point(const std::string& name, const Json& result, const ChartTa
   point.spacing = result.number("spacing");
   point.particles = static_cast<Index>(result.integer("particles"));
   point.steps = static_cast<long>(result.integer("steps"));
+  if (result.has("law") && !result.is_null("law")) point.law = result.text("law");
+  if (result.has("step_share") && !result.is_null("step_share"))
+    point.step_share = result.number("step_share");
   point.seconds = result.numbers("repetitions");
   for (std::size_t q = 0; q < table.quantities.size(); ++q)
     point.errors.push_back(error_of(result, table, q));
@@ -91,21 +94,26 @@ void check_peers(const std::vector<std::string>& names, const std::vector<std::s
   }
 }
 
-PeerRun run_peer(const std::string& name, const Scene& scene, double spacing,
+PeerRun run_peer(const PeerVariant& variant, const Scene& scene, double spacing,
                  const ChartTable& table, const fs::path& folder, double seconds,
                  const std::atomic<bool>* stop_requested) {
   make_output_directory(folder);
-  const std::string stem = fmt::format("{}-{:.4g}", name, spacing);
+  std::string stem = fmt::format("{}-{:.4g}", variant.label, spacing);
+  std::ranges::replace(stem, ' ', '-');
   ProcessOptions options;
   options.out = folder / (stem + ".json");
   options.err = folder / (stem + ".err");
   options.seconds = seconds;
   options.stop_requested = stop_requested;
-  const fs::path script = validation_folder() / "peers" / (name + ".py");
-  const std::optional<int> status = run_process(
-      {python(), "-B", script.string(), fs::path(scene.file).stem().string(), "--spacing",
-       fmt::format("{:.17g}", spacing), "--end", fmt::format("{:.17g}", scene.time.end)},
-      options);
+  const fs::path script = validation_folder() / "peers" / (variant.script + ".py");
+  std::vector<std::string> command = {python(),        "-B",
+                                      script.string(), fs::path(scene.file).stem().string(),
+                                      "--spacing",     fmt::format("{:.17g}", spacing),
+                                      "--end",         fmt::format("{:.17g}", scene.time.end),
+                                      "--share",       fmt::format("{}", variant.share)};
+  if (!variant.law.empty()) command.insert(command.end(), {"--law", variant.law});
+  const std::optional<int> status = run_process(command, options);
+  const std::string& name = variant.label;
   if (!status) return {{}, fmt::format("{}: took more than {:.3g} s", name, seconds)};
   if (*status != 0) {
     const std::string reason = first_line(options.err);

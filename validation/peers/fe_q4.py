@@ -28,7 +28,7 @@ def program():
     return binary
 
 
-def run(scene, n, end):
+def run(scene, n, end, share):
     mesh = scenes.lattice(scene, n)
     lam, mu = scene.lame
     u, v = scenes.initial(scene, mesh.X)
@@ -40,7 +40,7 @@ def run(scene, n, end):
         curve = scenes.pulse(curve_time)
     hourglass = 4 / 3 * scene.young / (1 - scene.poisson ** 2)
     tip = np.argmin(np.linalg.norm(mesh.X - np.array([0.2, 0.0]), axis=1)) if scene.name == "clamped_beam" else 0
-    head = [scene.dimension, scene.law, lam, mu, scene.density, hourglass, end, 0.9, len(mesh.X), len(mesh.corners),
+    head = [scene.dimension, scene.law, lam, mu, scene.density, hourglass, end, share, len(mesh.X), len(mesh.corners),
             len(curve), int(tip) * scene.dimension + scene.dimension - 1, 5]
     arrays = [mesh.X, mesh.corners, scenes.free_components(scene, mesh.X).astype(int), u, v, load, curve_time, curve]
     problem = " ".join(map(str, head)) + "\n" + "\n".join(
@@ -62,9 +62,9 @@ def run(scene, n, end):
             out["stress"].reshape(len(points), scene.dimension, scene.dimension))
     return {"particles": len(mesh.X), "steps": int(out["steps"][0]),
             "repetitions": seconds, "errors": errors,
-            "note": "Q4 with one point, assumed-strain hourglass stiffness, 0.9 of the critical step"
-                    if scene.dimension == 2 else "bars of two nodes, 0.9 of the critical step"}
+            "note": ("Q4 with one point, assumed-strain hourglass stiffness" if scene.dimension == 2 else
+                     "bars of two nodes") + f", {scene.law}, {share:g} of the critical step"}
 
 
 if __name__ == "__main__":
-    sys.exit(peer.main("fe_q4", run, list(scenes.SCENES)))
+    sys.exit(peer.main("fe_q4", run, list(scenes.SCENES), chooses=True))

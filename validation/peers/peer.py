@@ -1,15 +1,17 @@
 """What every peer script shares: its command line and what it prints.
 
-    NAME.py SCENE --spacing H [--end T]
+    NAME.py SCENE --spacing H [--end T] [--share S] [--law LAW]
 
 prints one line of JSON: peer, scene, n, spacing, particles, steps, stepping_seconds, repetitions, errors,
-quantities, note. `n` counts cells across the body, `stepping_seconds` is the time of the steps alone,
+quantities, note, and step_share and law of a peer that can choose them by --share (of the critical step) and --law;
+others take no notice of both. `n` counts cells across the body, `stepping_seconds` is the time of the steps alone,
 without set-up and output, on one thread, the median of the `repetitions`. `errors` are relative, by name;
 `quantities` is the same as a list of {name, error, value}, value null for fields. Exit code 3 if the program
 behind the peer is not installed or cannot run the scene, with the reason on stderr.
 """
 
 import argparse
+import dataclasses
 import json
 import os
 import shutil
@@ -38,12 +40,17 @@ def cache():
     return folder
 
 
-def main(name, run, scenes):
-    """`run(scene, n, end)` returns particles, steps, repetitions, errors and a note as a dict."""
+def main(name, run, scenes, chooses=False):
+    """`run(scene, n, end)` returns particles, steps, repetitions, errors and a note as a dict; that of a peer which
+    `chooses` step and law is `run(scene, n, end, share)`, with the law in its scene."""
     parser = argparse.ArgumentParser(prog=f"{name}.py", description=f"Runs a scene of examples/ with {name}.")
     parser.add_argument("scene", help=f"one of {', '.join(scenes)}")
     parser.add_argument("--spacing", type=float, required=True, metavar="H", help="particle or node spacing [m]")
     parser.add_argument("--end", type=float, metavar="T", help="end time [s]; default: that of the example")
+    parser.add_argument("--share", type=float, default=0.9, metavar="S",
+                        help="of the critical step; default 0.9" if chooses else argparse.SUPPRESS)
+    parser.add_argument("--law", choices=["linear-elastic", "neo-hookean"],
+                        help="default: that of the example" if chooses else argparse.SUPPRESS)
     options = parser.parse_args()
     os.environ["OMP_NUM_THREADS"] = "1"
     try:
@@ -51,7 +58,12 @@ def main(name, run, scenes):
             raise Unable(f"{name} runs {', '.join(scenes)}, not {options.scene}")
         scene = SCENES[options.scene]
         n = scene.cells(options.spacing)
-        result = run(scene, n, options.end or scene.end)
+        end = options.end or scene.end
+        if chooses:
+            scene = dataclasses.replace(scene, law=options.law or scene.law)
+            result = run(scene, n, end, options.share) | {"law": scene.law, "step_share": options.share}
+        else:
+            result = run(scene, n, end)
     except Unable as reason:
         print(f"{name}: {reason}", file=sys.stderr)
         return 3

@@ -2,7 +2,7 @@
 /// \file
 /// Speed against accuracy: what a scene costs in many configurations and how far each is from the
 /// answer, within a budget of time. A configuration is a *family* (formulation, kernel, support,
-/// order, stabiliser) at a spacing.
+/// order, stabiliser) at a spacing, in *variants* of time step and law.
 
 #include <atomic>
 #include <filesystem>
@@ -37,13 +37,17 @@ struct ChartRequest {
 
 /// A configuration and what it took, of this program or of a peer.
 struct ChartPoint {
-  std::string peer;                    ///< empty: this program
-  std::string family;                  ///< in a few words; of a peer its note
+  std::string peer;    ///< empty: this program; "fe_q4 linear step 0.99": a script and its variant
+  std::string family;  ///< in a few words; of a peer its note
   std::vector<std::string> overrides;  ///< what sets the family and the spacing, for `tlsph run`
   std::string formulation, kernel, stabiliser;  ///< empty for a peer
   std::optional<double> support;                ///< [spacings]; empty: the nodes of a cell
   int order = 0;
-  double spacing = 0.0;  ///< [m]
+  std::string law;                   ///< of the materials, joined by "+"; empty for a peer that
+                                     ///< does not say
+  std::optional<double> step_share;  ///< of the critical step; empty: a step of the scene, or of a
+                                     ///< peer, of its own
+  double spacing = 0.0;              ///< [m]
   Index particles = 0;
   long steps = 0;
   double setup_seconds = 0.0;   ///< the first run's
@@ -68,8 +72,9 @@ struct ChartTable {
   std::vector<double> answers;  ///< one a quantity; not a number for fields
   std::vector<ChartPoint> points;
   int families = 0;   ///< considered
-  int refused = 0;    ///< of these, what the scene does not allow
-  int dominated = 0;  ///< of these, given up because others are faster and nearer at once
+  int variants = 0;   ///< of law and time step that the best of these were given
+  int refused = 0;    ///< of the families, what the scene does not allow
+  int dominated = 0;  ///< of both, given up because others are faster and nearer at once
   std::vector<std::string> notes;  ///< peers that could not run, and why
   bool interrupted = false;
 
@@ -99,10 +104,12 @@ struct ChartOptions {
 
 /// Runs the study. First every family at the coarsest spacing, those nearest to the defaults first,
 /// for a part of the budget; then, again and again, the refinement that promises to gain most
-/// beyond the front for its predicted cost, families that can no longer reach it left out; at last
-/// the front's times are repeated. InputError, before anything is written, for a scene without
-/// exact solution and without value, values that cannot be read, a peer that is none, and all that
-/// is wrong with the scene as it stands.
+/// beyond the front for its predicted cost, families that can no longer reach it left out; those on
+/// the front, or near it, are also tried with other shares of the critical step and, where the
+/// scene strains so little that laws do not differ, with a linear law; at last the front's times
+/// are repeated. A peer that can choose both has the same freedom. InputError, before anything is
+/// written, for a scene without exact solution and without value, values that cannot be read, a
+/// peer that is none, and all that is wrong with the scene as it stands.
 [[nodiscard]] ChartTable chart(const ChartRequest& request, const ChartOptions& options);
 
 }  // namespace tlsph
