@@ -157,12 +157,17 @@ class ChartStudy {
     contenders_[index].varied = true;
     for (ChartFamily& family : neighbours(contenders_[index].family, variation_)) {
       const Contender& parent = contenders_[index];
-      const auto is_it = [&](const Contender& other) { return other.family.label == family.label; };
-      if (std::ranges::any_of(contenders_, is_it)) continue;
       Predicted expected{fair.front().setup, fair.front().stepping, fair.front().errors};
       if (family.step_share) expected.stepping *= *parent.family.step_share / *family.step_share;
       for (double& error : expected.errors) error /= variant_hope;
       const std::size_t first = parent.first;
+      const auto is_it = [&](const Contender& other) { return other.family.label == family.label; };
+      if (const auto it = std::ranges::find_if(contenders_, is_it); it != contenders_.end()) {
+        if (!it->expected || it->first != first) continue;
+        for (std::size_t q = 0; q < expected.errors.size(); ++q)  // what the best parent promises
+          it->expected->errors[q] = std::min(it->expected->errors[q], expected.errors[q]);
+        continue;
+      }
       contenders_.push_back({.family = std::move(family),
                              .runs = {},
                              .expected = std::move(expected),

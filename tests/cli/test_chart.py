@@ -14,6 +14,7 @@ from support import BAR, SOURCE, ProgramTest, read_summary
 
 LINEAR = BAR.replace("rise = 5e-3", "rise = 1e-2").replace("[material]", '[material]\nlaw = "linear-elastic"')
 FREE = LINEAR.replace('[reference]\nexact = "bar-wave"\n', "")
+GENTLE = LINEAR.replace('law = "linear-elastic"', 'law = "neo-hookean"').replace("amplitude = 1e3", "amplitude = 10")
 QUICK = ["--budget", "2", "--spacing", "0.1,0.05,0.025"]
 
 ANSWERING = """\
@@ -24,6 +25,12 @@ print(json.dumps({"peer": "quick", "scene": sys.argv[1], "n": 1, "spacing": spac
                   "quantities": [{"name": "displacement", "error": -spacing, "value": None},
                                  {"name": "stress", "error": None, "value": None}]}))
 """
+
+# Chooses step and law, and says what it was told.
+CHOOSING = ANSWERING.replace('"note"', '**told, "note"').replace("print(", """\
+argument = lambda name, default: sys.argv[sys.argv.index(name) + 1] if name in sys.argv else default
+told = {"step_share": float(argument("--share", None)), "law": argument("--law", "neo-hookean")}
+print(""", 1)
 
 
 class ChartTest(ProgramTest):
@@ -58,6 +65,26 @@ class Fronts(ChartTest):
             rows = list(csv.DictReader(file))
         self.assertEqual([row["family"] for row in rows], [point["family"] for point in report["points"]])
         self.assertEqual(float(rows[0]["stress"]), report["points"][0]["errors"][2])
+        self.assertEqual([(row["law"], float(row["step_share"])) for row in rows],
+                         [(point["law"], point["step_share"]) for point in report["points"]])
+        self.assertIn(f"and {report['variants']} variants of law and step", done.stdout)
+
+    def test_variants_are_runs(self):
+        self.chart(*QUICK, "--formulation", "stress-point", "--out", "study", scene=GENTLE)
+
+        variants = [p for p in self.report()["points"] if p["family"].endswith(" linear step 0.99")]
+        self.assertGreater(len(variants), 0)
+        arguments = [word for text in variants[-1]["set"] for word in ("--set", text)]
+        summary = read_summary(self.run_scene(GENTLE, *arguments))
+        self.assertEqual(summary["errors"]["stress"], variants[-1]["errors"][2])
+        self.assertEqual(summary["steps"], variants[-1]["steps"])
+
+    def test_step_of_the_scene(self):
+        self.chart(*QUICK, "--formulation", "stress-point", "--out", "study", "--set", "time.step=1e-5")
+
+        self.assertEqual({point["step_share"] for point in self.report()["points"]}, {None})
+        with open(self.folder / "study/chart.csv", encoding="utf-8", newline="") as file:
+            self.assertEqual({row["step_share"] for row in csv.DictReader(file)}, {""})
 
     def test_points_are_runs(self):
         self.chart(*QUICK, "--formulation", "stress-point,mirror", "--out", "study")
@@ -129,6 +156,21 @@ class PeersBeside(ChartTest):
         self.assertEqual({len(p["stepping_seconds"]) for p in mine}, {3})
         self.assertRegex(done.stdout, r"quick: (not reached|[0-9.e-]+ s, [0-9.e+-]+ of it)")
 
+    def test_peer_that_chooses_has_the_same_freedom(self):
+        self.chart(*QUICK, "--peer", "quick", "--out", "study", scene=GENTLE, env=self.with_peers(quick=CHOOSING))
+
+        mine = {(p["peer"], p["law"], p["step_share"]) for p in self.report()["points"] if p["peer"]}
+        self.assertEqual(mine, {("quick", "neo-hookean", 0.9), ("quick step 0.99", "neo-hookean", 0.99),
+                                ("quick linear", "linear-elastic", 0.9),
+                                ("quick linear step 0.99", "linear-elastic", 0.99)})
+
+    def test_peer_has_the_share_of_the_scene(self):
+        self.chart(*QUICK, "--formulation", "stress-point", "--peer", "quick", "--set", "time.safety=0.5",
+                   "--out", "study", env=self.with_peers(quick=CHOOSING.replace("neo-hookean", "linear-elastic")))
+
+        mine = {(p["peer"], p["law"], p["step_share"]) for p in self.report()["points"] if p["peer"]}
+        self.assertEqual(mine, {("quick", "linear-elastic", 0.5), ("quick step 0.99", "linear-elastic", 0.99)})
+
     def test_peer_that_cannot(self):
         done = self.chart(
             *QUICK, "--formulation", "stress-point", "--peer", "lost", "--out", "study",
@@ -159,18 +201,23 @@ class FiniteElements(ProgramTest):
         )
         return json.loads(done.stdout)
 
-    def ours(self, scene, spacing):
+    def ours(self, scene, spacing, *overrides):
         text = (SOURCE / "examples" / (scene + ".toml")).read_text(encoding="utf-8")
-        return read_summary(self.run_scene(text, "--set", f"body.spacing={spacing}"))
+        arguments = [word for override in overrides for word in ("--set", override)]
+        return read_summary(self.run_scene(text, "--set", f"body.spacing={spacing}", *arguments))
 
     def test_bar_is_the_bar_of_stress_points(self):
         # Between two nodes there is one gradient: both must come out with the same errors.
-        result, summary = self.peer("bar_wave", 5e-4), self.ours("bar_wave", 5e-4)
+        for law, share in (("neo-hookean", 0.9), ("neo-hookean", 0.99), ("linear-elastic", 0.99)):
+            with self.subTest(law=law, share=share):
+                result = self.peer("bar_wave", 5e-4, "--law", law, "--share", str(share))
+                summary = self.ours("bar_wave", 5e-4, f"material.law={law}", f"time.safety={share}")
 
-        self.assertEqual((result["n"], result["particles"]), (300, summary["particles"]))
-        self.assertEqual(result["steps"], summary["steps"])
-        for name, error in summary["errors"].items():
-            self.assertAlmostEqual(result["errors"][name] / error, 1.0, delta=1e-3)
+                self.assertEqual((result["law"], result["step_share"]), (law, share))
+                self.assertEqual((result["n"], result["particles"]), (300, summary["particles"]))
+                self.assertEqual(result["steps"], summary["steps"])
+                for name, error in summary["errors"].items():
+                    self.assertAlmostEqual(result["errors"][name] / error, 1.0, delta=5e-3)
 
     def test_plate_converges_with_order_two(self):
         coarse, fine = self.peer("swinging_plate", 1 / 16), self.peer("swinging_plate", 1 / 32)

@@ -5,6 +5,7 @@ the repetitions) and the relative error it is judged by, a panel a quantity. Num
 """
 
 import json
+import textwrap
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -20,6 +21,9 @@ FORMULATIONS = {"stress-point": (COLOURS[0], "o"), "consistent": (COLOURS[2], "s
 PEER_MARKERS = "XP*hdp"
 LIST_SIZE = 6.2  # points, of the names below a panel
 LINE_HEIGHT = 1.2 * LIST_SIZE / 72  # inches
+LIST_WIDTH = 132  # characters of the list in the width of the figure, over its panels
+LEGEND_WIDTH = 116  # the same of the legend, a marker and its space counting as MARKER_WIDTH
+MARKER_WIDTH = 4.5
 
 
 def arguments(command):
@@ -70,7 +74,8 @@ def draw(options):
     figure, all_axes = plt.subplots(down, across, squeeze=False)
     for axes in all_axes.flat[len(wanted):]:
         axes.set_visible(False)
-    lines = max(panel(axes, quantities.index(name), name, points) for axes, name in zip(all_axes.flat, wanted))
+    width = int(LIST_WIDTH / across if across > 1 else 0.75 * LIST_WIDTH)
+    lines = max(panel(axes, quantities.index(name), name, points, width) for axes, name in zip(all_axes.flat, wanted))
     figure.set_size_inches(WIDTH if across > 1 else 0.75 * WIDTH, (3.7 + lines * LINE_HEIGHT) * down)
     for axes in all_axes[:, 0]:
         axes.set_ylabel("relative error")
@@ -79,7 +84,7 @@ def draw(options):
     if len(labels) > 1:
         # Wider than its axes: kept out of the layout, which it would stretch; blank lines above the titles hold its
         # place, 15 points above the axes.
-        columns = 8 if across > 1 else 5
+        columns = legend_columns(labels, LEGEND_WIDTH if across > 1 else 0.75 * LEGEND_WIDTH)
         first.set_title(" \n" * -(-len(labels) // columns) + first.get_title(loc="left"), loc="left")
         above = first.transAxes + ScaledTranslation(0, 15 / 72, figure.dpi_scale_trans)
         first.legend(handles, labels, ncols=columns, loc="lower left", bbox_to_anchor=(-0.05, 1.0),
@@ -88,7 +93,18 @@ def draw(options):
     return figure, path.with_suffix(".png")
 
 
-def panel(axes, q, name, points):
+def legend_columns(labels, width):
+    """As many as fit; each is filled downwards and as wide as the longest label in it."""
+    for columns in range(min(8, len(labels)), 1, -1):
+        full, more = divmod(len(labels), columns)
+        ends = np.cumsum([full + 1] * more + [full] * (columns - more))
+        parts = np.split(np.array([len(label) for label in labels]), ends[:-1])
+        if sum(part.max() + MARKER_WIDTH for part in parts) <= width:
+            return columns
+    return 1
+
+
+def panel(axes, q, name, points, width):
     points = [point for point in points if np.isfinite(point["errors"][q]) and point["errors"][q] > 0]
     own = [point for point in points if not point["peer"]]
     for formulation, (colour, marker) in FORMULATIONS.items():
@@ -112,14 +128,14 @@ def panel(axes, q, name, points):
     axes.set_title(name, loc="left")
     axes.set_xlabel("stepping time [s]")
     axes.margins(x=0.12, y=0.12)
-    return explain(axes, q, front)
+    return explain(axes, q, front, width)
 
 
-def explain(axes, q, front):
-    """Numbers at the points of the front, thinned where they would touch, and their names in lines below the panel;
-    how many lines these are. Below and left of a front there is nothing; a point that has another one close to its
+def explain(axes, q, front, width):
+    """Numbers at the points of the front, thinned where they would touch, and their names in lines below the panel,
+    broken at `width` characters; how many lines these are. Below and left of a front there is nothing; a point that has another one close to its
     left carries its number on the other side."""
-    lines, last = [], None
+    number, lines, last = 0, [], None
     for point in front:
         here = np.log10([point["time"], point["errors"][q]])
         across, along = (np.inf, np.inf) if last is None else np.abs(here - last)
@@ -127,8 +143,9 @@ def explain(axes, q, front):
             continue
         beside = across < 0.9 and along < 0.25
         last = here
-        lines.append(f"{len(lines) + 1}  {short(point)}")
-        axes.annotate(f"{len(lines)}", xy=(point["time"], point["errors"][q]),
+        number += 1
+        lines += textwrap.wrap(f"{number}  {short(point)}", width, subsequent_indent="      ")
+        axes.annotate(f"{number}", xy=(point["time"], point["errors"][q]),
                       xytext=(4, 3) if beside else (-3, -3), textcoords="offset points", fontsize=7, color=INK,
                       ha="left" if beside else "right", va="bottom" if beside else "top")
     # Below the ticks and the label of the axis, whatever the height of the panel.

@@ -19,10 +19,24 @@ namespace tlsph {
 namespace {
 
 using testing::Contains;
+using testing::DoubleEq;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsSupersetOf;
+using testing::Not;
+using testing::Optional;
 using testing::StartsWith;
 using testing::ThrowsMessage;
+
+std::string replaced(std::string text, const std::string& part, const std::string& with) {
+  return text.replace(text.find(part), part.size(), with);
+}
+
+/// The same of a nonlinear law, at strains at which that does not matter.
+const std::string gently_pushed_bar =
+    replaced(replaced(pushed_bar, "linear-elastic", "neo-hookean"), "amplitude = 1e3",
+             "amplitude = 10") +
+    with_exact;
 
 class Chart : public StudyFolder {
  protected:
@@ -95,6 +109,78 @@ TEST_F(Chart, RefinesWhatIsOnTheFrontAndLeavesTheRestBehind) {
   EXPECT_EQ(table.points.front().family, "stress-point");  // the defaults come first
 }
 
+TEST_F(Chart, GivesTheBestOtherStepsAndALinearLaw) {
+  const ChartRequest asked = request(gently_pushed_bar);
+
+  const ChartTable table = run(asked);
+
+  std::set<std::string> families;
+  for (const ChartPoint& point : table.points) {
+    families.insert(point.family);
+    const bool linear = point.family.find(" linear") != std::string::npos;
+    const auto step = point.family.find(" step ");
+    const double share = step == std::string::npos ? 0.9 : std::stod(point.family.substr(step + 6));
+    EXPECT_EQ(point.law, linear ? "linear-elastic" : "neo-hookean") << point.family;
+    EXPECT_THAT(point.step_share, Optional(DoubleEq(share))) << point.family;
+    EXPECT_EQ(std::ranges::count(point.overrides, "material.law=linear-elastic"), linear ? 1 : 0);
+  }
+  EXPECT_GT(table.variants, 0);
+  EXPECT_LT(table.variants, table.families);  // of the best alone
+  EXPECT_THAT(families, IsSupersetOf({"stress-point step 0.99", "stress-point linear",
+                                      "stress-point linear step 0.99"}));
+}
+
+// Errors of time and space cancel next to the critical step: in 1D, between two nodes, nearly all.
+TEST_F(Chart, FindsThatErrorsCancelNextToTheCriticalStep) {
+  ChartRequest asked = request(gently_pushed_bar);
+  asked.formulations = {"stress-point"};
+  asked.spacings = {0.025};
+
+  const ChartTable table = run(asked);
+
+  std::map<double, double> velocity;  // least error by share of the step
+  for (const ChartPoint& point : table.points) {
+    const auto [at, fresh] = velocity.try_emplace(point.step_share.value(), point.errors[1]);
+    at->second = std::min(at->second, point.errors[1]);
+  }
+  EXPECT_LT(velocity.at(0.99), 0.3 * velocity.at(0.9));
+}
+
+TEST_F(Chart, StepsAsTheSceneSaysWhereItDoes) {
+  const ChartTable table = run(request(pushed_bar + "step = 1e-4\n" + with_exact));
+
+  for (const ChartPoint& point : table.points) {
+    EXPECT_THAT(point.family, Not(HasSubstr(" step "))) << point.family;
+    EXPECT_EQ(point.step_share, std::nullopt);
+  }
+  EXPECT_EQ(table.variants, 0);  // the law is linear already
+}
+
+// The limit of formulations whose D is not the adjoint of G is no promise.
+TEST_F(Chart, LengthensNoStepWithoutAdjoint) {
+  ChartRequest asked = request(gently_pushed_bar);
+  asked.formulations = {"mirror", "thesis"};
+
+  const ChartTable table = run(asked);
+
+  std::set<std::string> shorter;
+  for (const ChartPoint& point : table.points) {
+    EXPECT_LE(point.step_share, 0.9) << point.family;
+    if (point.step_share < 0.9) shorter.insert(point.family);
+  }
+  EXPECT_GT(shorter.size(), 0U);
+}
+
+TEST_F(Chart, KeepsTheLawWhereStrainsAreLarge) {
+  ChartRequest asked = request(replaced(gently_pushed_bar, "amplitude = 10", "amplitude = 1000"));
+  asked.formulations = {"stress-point"};
+
+  const ChartTable table = run(asked);
+
+  EXPECT_GT(table.variants, 0);
+  for (const ChartPoint& point : table.points) EXPECT_EQ(point.law, "neo-hookean") << point.family;
+}
+
 TEST_F(Chart, KeepsItsBudget) {
   ChartRequest asked = request(pushed_bar + with_exact);
   asked.spacings = {0.1, 0.05, 0.025, 0.0125, 0.00625, 0.003125, 0.0015625};
@@ -155,12 +241,16 @@ TEST_F(Chart, WritesWhatItReturns) {
   const ChartTable table = run(asked);
 
   EXPECT_THAT(read(folder / "out/chart.csv"),
-              StartsWith("peer,family,formulation,kernel,support,order,stabiliser,spacing,"));
+              StartsWith("peer,family,formulation,kernel,support,order,stabiliser,law,step_share,"
+                         "spacing,"));
   const Json json = Json::read(folder / "out/chart.json");
   const auto points = json.list("points");
   ASSERT_EQ(points.size(), table.points.size());
   EXPECT_EQ(points[3].numbers("errors"), table.points[3].errors);
   EXPECT_EQ(points[3].numbers("stepping_seconds"), table.points[3].seconds);
+  EXPECT_EQ(points[3].text("law"), "linear-elastic");
+  EXPECT_EQ(points[3].number("step_share"), table.points[3].step_share);
+  EXPECT_EQ(json.integer("variants"), table.variants);
   EXPECT_THAT(table.text(), HasSubstr("configuration"));
   EXPECT_THAT(table.text(), HasSubstr("\nstress\n"));
 }
