@@ -54,7 +54,7 @@ ChartVariation chart_variation(const Scene& scene) {
       if (share > own) variation.shares.push_back(share);
     std::ranges::sort(variation.shares, std::greater());
   }
-  if (linear_law_serves(scene)) variation.linear = linear_law(scene);
+  variation.linear = linear_law(scene);
   std::vector<std::string> laws;
   for (const MaterialScene& material : scene.materials) {
     const std::string name(name_of(material.law));

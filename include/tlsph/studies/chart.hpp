@@ -105,11 +105,11 @@ struct ChartOptions {
 /// Runs the study. First every family at the coarsest spacing, those nearest to the defaults first,
 /// for a part of the budget; then, again and again, the refinement that promises to gain most
 /// beyond the front for its predicted cost, families that can no longer reach it left out; those on
-/// the front, or near it, are also tried with other shares of the critical step and, where the
-/// scene strains so little that laws do not differ, with a linear law; at last the front's times
-/// are repeated. A peer that can choose both has the same freedom. InputError, before anything is
-/// written, for a scene without exact solution and without value, values that cannot be read, a
-/// peer that is none, and all that is wrong with the scene as it stands.
+/// the front, or near it, are also tried with other shares of the critical step and with a linear
+/// law, whose error is measured like any other; at last the front's times are repeated. A peer that
+/// can choose both has the same freedom. InputError, before anything is written, for a scene
+/// without exact solution and without value, values that cannot be read, a peer that is none, and
+/// all that is wrong with the scene as it stands.
 [[nodiscard]] ChartTable chart(const ChartRequest& request, const ChartOptions& options);
 
 }  // namespace tlsph
