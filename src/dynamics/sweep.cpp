@@ -3,38 +3,26 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
+#include "sweep_instructions.hpp"
+#include "sweep_stiffness.hpp"
 #include "sweep_storage.hpp"
 #include "sweep_thread.hpp"
 
 namespace tlsph {
-namespace {
-
-sweep::Level level_of(Instructions instructions) {
-  switch (instructions) {
-    case Instructions::baseline:
-      return sweep::Level::baseline;
-    case Instructions::avx2:
-      return sweep::Level::avx2;
-    case Instructions::avx512:
-      return sweep::Level::avx512;
-    case Instructions::widest:
-      break;
-  }
-  return sweep::widest_level();
-}
-
-}  // namespace
 
 template <int D>
 struct Sweep<D>::Parts {
   const Discretisation<D>& disc;
   int threads;
   sweep::Storage<D> storage;
+  using Team = std::vector<std::unique_ptr<sweep::Thread<D>>>;
   sweep::Shared<D> shared;
-  std::vector<std::unique_ptr<sweep::Thread<D>>> thread;
+  Team points;  // who goes by the points
+  std::optional<sweep::Stiffness<D>> stiffness;
+  sweep::Shared<D> shared_stiffness;
+  Team products;  // who makes steps of that stiffness, if there is one
   std::vector<char> good;
   std::vector<double> curve_values;
 
@@ -43,7 +31,7 @@ struct Sweep<D>::Parts {
         threads(std::max(1, options.threads)),
         storage(discretisation, options.single_weights) {
     shared.disc = &disc;
-    shared.kernels = &sweep::kernels<D>(level_of(options.instructions));
+    shared.kernels = &sweep::kernels<D>(sweep::level_of(options.instructions));
     shared.gradient = storage.gradient_table;
     shared.divergence = storage.divergence_table;
     shared.rows = storage.rows_table;
@@ -54,37 +42,73 @@ struct Sweep<D>::Parts {
     shared.laws = sweep::region_laws<D>(disc, *shared.kernels, options.linearised);
     shared.pressures.assign(disc.loads.size(), 0.0);
     curve_values.assign(disc.constraints.curves.size(), 0.0);
-    plan(!options.linearised);
-  }
-
-  void plan(bool loaded) {
-    const sweep::Dependences dep = storage.dependences();
-    const std::vector<int> regions = sweep::regions_of_points(disc);
+    good.assign(static_cast<std::size_t>(threads), 1);
     const BoundaryForces<D> booked(disc);
     shared.constrained.assign(booked.nodes.size() * D, 0);
     for (const auto* list : {&booked.fixed, &booked.held, &booked.moved})
       for (const Index slot : *list) shared.constrained[static_cast<std::size_t>(slot)] = 1;
+    const std::vector<sweep::NodeLoad> loads =
+        options.linearised ? std::vector<sweep::NodeLoad>{} : node_loads();
+    plan_points(booked.nodes, loads);
+    if (options.form != StepForm::points && !options.linearised)
+      plan_products(booked.nodes, loads, options.form);
+  }
+
+  [[nodiscard]] std::vector<sweep::NodeLoad> node_loads() const {
     std::vector<sweep::NodeLoad> loads;
-    for (std::size_t l = 0; loaded && l < disc.loads.size(); ++l)
+    for (std::size_t l = 0; l < disc.loads.size(); ++l)
       for (std::size_t k = 0; k < disc.loads[l].dof.size(); ++k) {
         const Index dof = disc.loads[l].dof[k];
         loads.push_back({dof, disc.loads[l].weight[k] * storage.inverse_mass[dof / D], l});
       }
     std::ranges::stable_sort(loads, {}, &sweep::NodeLoad::dof);
-    const sweep::Operators operators{&storage.gradient.runs, &storage.divergence.runs,
-                                     storage.has_rows ? &storage.rows.runs : nullptr};
+    return loads;
+  }
+
+  [[nodiscard]] Team team(const sweep::Shared<D>& common, const sweep::Dependences& dep,
+                          const sweep::Operators& operators, const std::vector<int>& regions,
+                          const std::vector<Index>& booked,
+                          const std::vector<sweep::NodeLoad>& loads) const {
+    Team result;
     for (int t = 0; t < threads; ++t) {
       const Index first = disc.nodes() * t / threads;
       const Index last = disc.nodes() * (t + 1) / threads;
-      thread.push_back(std::make_unique<sweep::Thread<D>>(
-          shared, sweep::make_plan(dep, operators, regions, booked.nodes, loads, D, first, last,
-                                   threads == 1)));
+      result.push_back(std::make_unique<sweep::Thread<D>>(
+          common,
+          sweep::make_plan(dep, operators, regions, booked, loads, D, first, last, threads == 1)));
     }
-    good.assign(static_cast<std::size_t>(threads), 1);
-    for (std::size_t t = 0; t < thread.size(); ++t)
-      thread[t]->observe_points(
-          t == 0 ? 0 : thread[t]->first_point(),
-          t + 1 == thread.size() ? disc.points.size() : thread[t + 1]->first_point());
+    return result;
+  }
+
+  void plan_points(const std::vector<Index>& booked, const std::vector<sweep::NodeLoad>& loads) {
+    const sweep::Operators operators{&storage.gradient.runs, &storage.divergence.runs,
+                                     storage.has_rows ? &storage.rows.runs : nullptr};
+    points = team(shared, storage.dependences(), operators, sweep::regions_of_points(disc), booked,
+                  loads);
+    for (std::size_t t = 0; t < points.size(); ++t)
+      points[t]->observe_points(
+          t == 0 ? 0 : points[t]->first_point(),
+          t + 1 == points.size() ? disc.points.size() : points[t + 1]->first_point());
+  }
+
+  void plan_products(const std::vector<Index>& booked, const std::vector<sweep::NodeLoad>& loads,
+                     StepForm form) {
+    std::vector<sweep::LawConstants> constants;
+    for (const sweep::RegionLaw<D>& law : shared.laws) constants.push_back(law.constants);
+    const bool asked_for = form == StepForm::stiffness;
+    stiffness = sweep::stiffness_of(disc, storage, constants,
+                                    asked_for ? disc.nodes() : 64 + disc.nodes() / 16);
+    if (stiffness && !asked_for && stiffness->work >= sweep::work_of_points(disc))
+      stiffness.reset();
+    if (!stiffness) return;
+    shared_stiffness = shared;
+    shared_stiffness.has_blocks = shared_stiffness.has_rows = true;
+    shared_stiffness.blocks = stiffness->table();
+    shared_stiffness.modes = false;
+    const std::vector<RowRun> none;
+    const std::vector<RowRun> all = {{0, static_cast<int>(disc.nodes()), 0, no_stencil}};
+    products = team(shared_stiffness, stiffness->dependences(),
+                    {&none, &all, &stiffness->runs, &stiffness->patches}, {}, booked, loads);
   }
 
   [[nodiscard]] bool all_good() const {
@@ -96,7 +120,9 @@ struct Sweep<D>::Parts {
       shared.pressures[l] = value(disc.loads[l].curve, time);
   }
 
-  void pass(const sweep::StepData<D>& step) {
+  [[nodiscard]] const Team& stepping() const { return stiffness ? products : points; }
+
+  void pass(const Team& thread, const sweep::StepData<D>& step) {
     if (threads == 1) {
       good[0] = thread[0]->before(step) && thread[0]->after(step) ? 1 : 0;
       return;
@@ -112,11 +138,11 @@ struct Sweep<D>::Parts {
 
   /// Takes back what nodes have gone of the step and says what is wrong with the state.
   [[noreturn]] void fail(State<D>& state, double kick, double dt) {
-    for (const auto& part : thread)
+    for (const auto& part : stepping())
       for (Index dof = part->first() * D; dof < part->reached() * D; ++dof)
         if (disc.inverse_mass.data()[dof] != 0.0) state.u.data()[dof] -= dt * state.v.data()[dof];
     evaluate_unchecked<D>(disc, state);
-    for (const auto& part : thread)
+    for (const auto& part : stepping())
       for (Index dof = part->first() * D; dof < part->reached() * D; ++dof)
         state.v.data()[dof] -= kick * disc.inverse_mass.data()[dof] * state.f.data()[dof];
     report_failure<D>(disc, state);
@@ -144,31 +170,6 @@ bool Sweep<D>::possible(const Discretisation<D>& disc) {
          !disc.divergence.per_component() && !rows_of_both;
 }
 
-bool available(Instructions instructions) {
-  return instructions == Instructions::widest || level_of(instructions) <= sweep::widest_level();
-}
-
-double peak_multiply_adds(Index rounds) {
-  using Clock = std::chrono::steady_clock;
-  double sum = 0.0;
-  const auto start = Clock::now();
-  const Index done = sweep::kernels<1>(sweep::widest_level()).multiply_adds(rounds, sum);
-  const std::chrono::duration<double> seconds = Clock::now() - start;
-  return sum > 0.0 ? static_cast<double>(done) / seconds.count() : 0.0;
-}
-
-std::string widest_instructions() {
-  switch (sweep::widest_level()) {
-    case sweep::Level::avx512:
-      return "avx512";
-    case sweep::Level::avx2:
-      return "avx2";
-    case sweep::Level::baseline:
-      break;
-  }
-  return "baseline";
-}
-
 template <int D>
 Sweep<D>::Sweep(const Discretisation<D>& disc, const SweepOptions& options)
     : parts_(std::make_unique<Parts>(disc, options)) {}
@@ -191,7 +192,14 @@ const sweep::Storage<D>& Sweep<D>::operators() const {
 
 template <int D>
 StorageReport Sweep<D>::storage() const {
-  return parts_->storage.report;
+  StorageReport report = parts_->storage.report;
+  if (parts_->stiffness) report.bytes = parts_->stiffness->bytes();
+  return report;
+}
+
+template <int D>
+std::optional<double> Sweep<D>::stiffness_multiply_adds() const {
+  return parts_->stiffness ? std::optional(parts_->stiffness->multiply_adds) : std::nullopt;
 }
 
 template <int D>
@@ -204,12 +212,12 @@ void Sweep<D>::step(State<D>& state, double dt, double next_time, BoundaryForces
   const double kick = 0.5 * (state.last_dt + dt);
   const sweep::StepData<D> step{state.u.data(),          state.v.data(), kick, dt,
                                 &parts.shared.pressures, &forces};
-  parts.pass(step);
+  parts.pass(parts.stepping(), step);
   if (!parts.all_good()) parts.fail(state, kick, dt);
   forces.viscous_power = 0.0;
   forces.viscous_power_after = 0.0;
   forces.largest_speed = 0.0;
-  for (const auto& part : parts.thread) {
+  for (const auto& part : parts.stepping()) {
     forces.viscous_power += part->viscous_power;
     forces.viscous_power_after += part->viscous_power_after;
     forces.largest_speed = std::max(forces.largest_speed, part->largest_speed);
@@ -229,7 +237,7 @@ void Sweep<D>::evaluate(State<D>& state) {
   step.v = state.v.data();
   step.pressures = &parts.shared.pressures;
   step.observed = &state;
-  parts.pass(step);
+  parts.pass(parts.points, step);
   if (parts.all_good()) return;
   evaluate_unchecked<D>(parts.disc, state);
   report_failure<D>(parts.disc, state);

@@ -42,6 +42,19 @@ struct Window {
   Index base = 0;
 };
 
+/// Numbers of a block: D of its diagonal, and in 2D what each component gives to the other.
+template <int D>
+inline constexpr int block_weights = D* D;
+
+/// The block rows of a stiffness (sweep_stiffness.hpp); all of them have a stencil.
+struct BlockTable {
+  const int* stencil_start = nullptr;
+  const int* offset = nullptr;  ///< from the row
+  const double* weight = nullptr;
+  const int* mixed = nullptr;  ///< entries of a stencil, its first, with more than a diagonal
+  const int* reach = nullptr;
+};
+
 /// Constants of a law whose kernel is vectorised.
 struct LawConstants {
   double lambda = 0.0;  ///< reduced where the missing directions are free of stress
@@ -108,8 +121,12 @@ struct Kernels {
   Index (*multiply_adds)(Index count, double& sum);
   /// a −= r.
   void (*subtract)(Index size, const double* r, double* a);
-  /// v += kick a, u += dt v; the largest |v|.
-  double (*update)(Index size, double kick, double dt, const double* a, double* v, double* u);
+  /// out[row] = Σ_k B_k (u[row + offset_k] − u[row]) + body force of the rows of some runs, then of
+  /// patches in them; false where one is not finite.
+  bool (*accelerations)(const BlockTable&, Runs, Runs patches, const double* u, Index size,
+                        const double* body_force, double* out, Index out_base);
+  /// As `move`, of rows whose accelerations are those of `Motion::rows`.
+  double (*move_on)(Runs, const Motion&);
 };
 
 /// Sets of instructions the kernels are compiled for.

@@ -3,6 +3,7 @@
 /// Included by one source an instruction set, which defines TLSPH_LANES, the doubles of a vector.
 /// Everything is local to that source.
 
+#include "sweep_blocks.hpp"
 #include "sweep_nodes.hpp"
 #include "sweep_points.hpp"
 #include "sweep_tangents.hpp"
@@ -29,27 +30,6 @@ void subtract(Index size, const double* r, double* a) {
   for (; at < size; ++at) a[at] -= r[at];
 }
 
-double update(Index size, double kick, double dt, const double* a, double* v, double* u) {
-  Index at = 0;
-  Real most{};
-  for (; at + lanes <= size; at += lanes) {
-    const Real velocity = load<Real>(v + at) + kick * load<Real>(a + at);
-    store(v + at, velocity);
-    store(u + at, load<Real>(u + at) + dt * velocity);
-    const Real speed = velocity < 0.0 ? -velocity : velocity;
-    most = speed > most ? speed : most;
-  }
-  double largest = 0.0;
-  for (Index lane = 0; lane < lanes; ++lane) largest = most[lane] > largest ? most[lane] : largest;
-  for (; at < size; ++at) {
-    v[at] += kick * a[at];
-    u[at] += dt * v[at];
-    const double speed = v[at] < 0.0 ? -v[at] : v[at];
-    largest = speed > largest ? speed : largest;
-  }
-  return largest;
-}
-
 template <int D, class Law>
 constexpr LawKernels law_kernels() {
   return {apply_law<D, Law>, points<D, D, Law>, points<D, D + 1, Law>, stiffening<D, Law>};
@@ -71,7 +51,8 @@ constexpr Kernels<D> make_kernels() {
           deformation<D>,
           multiply_adds,
           subtract,
-          update};
+          accelerations<D>,
+          move_on<D>};
 }
 
 #undef TLSPH_INLINE

@@ -166,6 +166,10 @@ class Planner {
         append_runs(*op_.rows, from, end, runs);
       }
       task.runs = static_cast<Index>(runs.size()) - task.run;
+      if (!points && op_.patches != nullptr) {
+        task.patch = append_runs(*op_.patches, from, end, runs);
+        task.patches = static_cast<Index>(runs.size()) - task.patch;
+      }
       tasks.push_back(task);
     }
   }

@@ -24,7 +24,8 @@ struct Task {
   };
   Kind kind = Kind::nodes;
   Index first = 0, last = 0;
-  Index run = 0, runs = 0;  ///< in the list of runs of the operator the task applies
+  Index run = 0, runs = 0;       ///< in the list of runs of the operator the task applies
+  Index patch = 0, patches = 0;  ///< rows: behind them in that list, runs that come second
   /// nodes: in the lists of runs of those that nothing but forces of the body moves, and of others
   Index free = 0, frees = 0, special = 0, specials = 0;
   Index item = 0, items = 0;  ///< points: law segments; nodes: booked nodes
@@ -73,7 +74,8 @@ struct Dependences {
 struct Operators {
   const std::vector<RowRun>* gradient = nullptr;
   const std::vector<RowRun>* divergence = nullptr;
-  const std::vector<RowRun>* rows = nullptr;  ///< of S or C, nullptr if there is none
+  const std::vector<RowRun>* rows = nullptr;     ///< of S or C, nullptr if there is none
+  const std::vector<RowRun>* patches = nullptr;  ///< runs that come after those, if there are any
 };
 
 /// The plan of the thread that owns nodes [first, last). `regions` gives the law of every material

@@ -106,10 +106,10 @@ bool Thread<D>::run(const std::vector<Task>& tasks, const StepData<D>& step) {
         points_.shift(directions(), task.first, task.last);
         break;
       case Task::Kind::rows:
-        rows(task, rows_, step);
+        if (!rows(task, rows_, step)) return false;
         break;
       case Task::Kind::rows_kept:
-        rows(task, rows_kept_, step);
+        if (!rows(task, rows_kept_, step)) return false;
         break;
       case Task::Kind::rows_copy:
         rows_.copy_from(rows_kept_, 1, task.first, task.last);
@@ -170,10 +170,18 @@ void Thread<D>::write_points(const Task& task, const Store& store, TensorField<D
 }
 
 template <int D>
-void Thread<D>::rows(const Task& task, Store& store, const StepData<D>& step) {
+bool Thread<D>::rows(const Task& task, Store& store, const StepData<D>& step) {
+  if (shared_.has_blocks) {
+    Vector<D> g = Vector<D>::Zero();
+    if (shared_.body_force) g = shared_.disc->body_force;
+    return shared_.kernels->accelerations(shared_.blocks, runs(plan_.rows, task),
+                                          {plan_.rows.data() + task.patch, task.patches}, step.u,
+                                          size_, g.data(), store.direction[0], store.base);
+  }
   shared_.kernels->differences(shared_.rows, runs(plan_.rows, task),
                                shared_.viscous ? step.v : step.u, size_, store.direction[0],
                                store.base);
+  return true;
 }
 
 template <int D>
@@ -184,10 +192,19 @@ void Thread<D>::nodes(const Task& task, const StepData<D>& step) {
   if (shared_.body_force)
     for (int i = 0; i < D; ++i) motion.body_force[i] = shared_.disc->body_force[i];
   if (shared_.viscous) viscous_power += power(task, step);
-  const auto move = shared_.modes ? shared_.kernels->move_with_modes : shared_.kernels->move;
-  const Runs free{plan_.free.data() + task.free, task.frees};
-  largest_speed = std::max(largest_speed, move(shared_.divergence, free, points_.window(), motion));
-  if (task.specials > 0) move_special(task, step);
+  if (shared_.has_blocks) {
+    double* a = rows_.direction[0] + (task.first - rows_.base) * D;
+    add_loads(task, step, a);
+    book(task, step, a);
+    go_on(runs(plan_.divergence, task), motion);
+    hold(task, step);
+  } else {
+    const Runs free{plan_.free.data() + task.free, task.frees};
+    const auto move = shared_.modes ? shared_.kernels->move_with_modes : shared_.kernels->move;
+    largest_speed =
+        std::max(largest_speed, move(shared_.divergence, free, points_.window(), motion));
+    if (task.specials > 0) move_special(task, step, motion);
+  }
   if (shared_.viscous) viscous_power_after += power(task, step);
   reached_ = task.last;
 }
@@ -209,10 +226,21 @@ void Thread<D>::accelerate(const Task& task, Runs some, const StepData<D>& step)
     if (shared_.body_force)
       for (Index k = 0; k < length; ++k) own[k] += disc.body_force[k % D];
   }
+  add_loads(task, step, a);
+}
+
+template <int D>
+void Thread<D>::add_loads(const Task& task, const StepData<D>& step, double* a) const {
   for (Index k = task.load; k < task.load + task.loads; ++k) {
     const NodeLoad& load = plan_.loads[static_cast<std::size_t>(k)];
     a[load.dof - task.first * D] += (*step.pressures)[load.load] * load.weight;
   }
+}
+
+/// Rows that have their accelerations.
+template <int D>
+void Thread<D>::go_on(Runs some, const Motion& motion) {
+  largest_speed = std::max(largest_speed, shared_.kernels->move_on(some, motion));
 }
 
 template <int D>
@@ -242,40 +270,48 @@ double Thread<D>::power(const Task& task, const StepData<D>& step) const {
 
 /// Loaded nodes, and those whose forces the books want or whose motion is given.
 template <int D>
-void Thread<D>::move_special(const Task& task, const StepData<D>& step) {
-  const Discretisation<D>& disc = *shared_.disc;
-  double* a = acceleration_.data();
-  double* u = step.u + task.first * D;
-  double* v = step.v + task.first * D;
+void Thread<D>::move_special(const Task& task, const StepData<D>& step, Motion motion) {
   const Runs special{plan_.special.data() + task.special, task.specials};
   accelerate(task, special, step);
+  book(task, step, acceleration_.data());
+  motion.rows = acceleration_.data();
+  motion.rows_base = task.first;
+  go_on(special, motion);
+  hold(task, step);
+}
+
+template <int D>
+bool Thread<D>::constrained(Index booked, int component) const {
+  return shared_.constrained[static_cast<std::size_t>(booked * D + component)] != 0;
+}
+
+/// What the books want of the nodes of a block, from whose start `a` holds accelerations; those of
+/// given motions become zero.
+template <int D>
+void Thread<D>::book(const Task& task, const StepData<D>& step, double* a) const {
   BoundaryForces<D>& forces = *step.forces;
-  const auto constrained = [&](Index k, int i) {
-    return shared_.constrained[static_cast<std::size_t>(k * D + i)] != 0;
-  };
   for (Index k = task.item; k < task.item + task.items; ++k) {
     const Index node = forces.nodes[static_cast<std::size_t>(k)];
+    const double mass = shared_.disc->mass[node];
     for (int i = 0; i < D; ++i) {
-      const Index local = (node - task.first) * D + i;
-      forces.f(k, i) = disc.mass[node] * a[local];
-      forces.u(k, i) = u[local];
-      forces.v(k, i) = v[local];
-      if (constrained(k, i)) a[local] = 0.0;
+      const Index dof = node * D + i;
+      double& own = a[dof - task.first * D];
+      forces.f(k, i) = mass * own;
+      forces.u(k, i) = step.u[dof];
+      forces.v(k, i) = step.v[dof];
+      if (constrained(k, i)) own = 0.0;
     }
   }
-  for (Index r = 0; r < special.count; ++r) {
-    const RowRun& run = special.run[r];
-    const Index at = (run.first - task.first) * D;
-    largest_speed = std::max(largest_speed,
-                             shared_.kernels->update(static_cast<Index>(run.count) * D, step.kick,
-                                                     step.dt, a + at, v + at, u + at));
-  }
-  // A degree of freedom that is moved waits for its curve.
-  for (Index k = task.item; k < task.item + task.items; ++k) {
-    const Index node = forces.nodes[static_cast<std::size_t>(k)];
+}
+
+/// A degree of freedom that is moved waits for its curve.
+template <int D>
+void Thread<D>::hold(const Task& task, const StepData<D>& step) const {
+  const BoundaryForces<D>& forces = *step.forces;
+  for (Index k = task.item; k < task.item + task.items; ++k)
     for (int i = 0; i < D; ++i)
-      if (constrained(k, i)) u[(node - task.first) * D + i] = forces.u(k, i);
-  }
+      if (constrained(k, i))
+        step.u[forces.nodes[static_cast<std::size_t>(k)] * D + i] = forces.u(k, i);
 }
 
 template class Thread<1>;

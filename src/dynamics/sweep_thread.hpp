@@ -20,8 +20,10 @@ struct Shared {
   const Discretisation<D>* disc = nullptr;
   const Kernels<D>* kernels = nullptr;
   Table gradient, divergence, rows;
-  bool modes = false;    ///< one direction more: the rows of the cell stabiliser
-  bool viscous = false;  ///< `rows` act on velocities
+  BlockTable blocks;        ///< where `has_blocks`, all that forces are made of
+  bool has_blocks = false;  ///< the window of rows holds accelerations, and there are no points
+  bool modes = false;       ///< one direction more: the rows of the cell stabiliser
+  bool viscous = false;     ///< `rows` act on velocities
   bool has_rows = false;
   bool body_force = false;
   std::vector<RegionLaw<D>> laws;
@@ -76,11 +78,16 @@ class Thread {
 
   [[nodiscard]] bool run(const std::vector<Task>& tasks, const StepData<D>& step);
   [[nodiscard]] bool points(const Task& task, Store& store, const StepData<D>& step);
-  void rows(const Task& task, Store& store, const StepData<D>& step);
+  [[nodiscard]] bool rows(const Task& task, Store& store, const StepData<D>& step);
   void nodes(const Task& task, const StepData<D>& step);
   void observe(const Task& task, const StepData<D>& step);
   void accelerate(const Task& task, Runs some, const StepData<D>& step);
-  void move_special(const Task& task, const StepData<D>& step);
+  void add_loads(const Task& task, const StepData<D>& step, double* a) const;
+  void go_on(Runs some, const Motion& motion);
+  void move_special(const Task& task, const StepData<D>& step, Motion motion);
+  void book(const Task& task, const StepData<D>& step, double* a) const;
+  void hold(const Task& task, const StepData<D>& step) const;
+  [[nodiscard]] bool constrained(Index booked, int component) const;
   [[nodiscard]] double power(const Task& task, const StepData<D>& step) const;
   void write_points(const Task& task, const Store& store, TensorField<D>& field) const;
   [[nodiscard]] Runs runs(const std::vector<RowRun>& list, const Task& task) const {

@@ -124,11 +124,16 @@ std::string plan_in(const Scene& scene) {
     for (const std::string& line : disc.ghosts->report()) text += "  " + line + "\n";
   }
   if (Sweep<D>::possible(disc)) {
-    const StorageReport storage = Sweep<D>(disc).storage();
+    const Sweep<D> sweep(disc);
+    const StorageReport storage = sweep.storage();
     text += fmt::format(
         "storage: {} rows in {} stencils, {} rows of their own, {:.1f} bytes a particle and step\n",
         storage.stencil_rows, storage.distinct_stencils, storage.general_rows,
         storage.bytes / static_cast<double>(disc.nodes()));
+    if (const auto multiply_adds = sweep.stiffness_multiply_adds())
+      text +=
+          fmt::format("steps by one product with the stiffness, {:.0f} multiply-adds a particle\n",
+                      *multiply_adds);
   }
   text += fmt::format("boundary: {} components held, {} moved, {} loads\n",
                       disc.constraints.fixed.size() + disc.constraints.held.size(),

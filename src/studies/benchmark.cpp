@@ -166,7 +166,9 @@ BenchmarkRow measure(const Case& entry, const BenchmarkOptions& options,
   const double modes = disc.hourglass.empty() ? 0.0 : 1.0;
   const double points = static_cast<double>(disc.points.size()) / particles;
   row.multiply_adds =
-      2.0 * entries * (D + modes) * D + points * law_work(scene.materials.front(), D) + 2.0 * D;
+      sweep.stiffness_multiply_adds().value_or(2.0 * entries * (D + modes) * D +
+                                               points * law_work(scene.materials.front(), D)) +
+      2.0 * D;
   const double weights =
       row.storage.bytes / particles *
       (scene.precision == Precision::mixed ? (4.0 + 4.0 * D) / (4.0 + 8.0 * D) : 1.0);

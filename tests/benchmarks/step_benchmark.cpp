@@ -10,6 +10,8 @@
 #include <functional>
 #include <initializer_list>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "tlsph/dynamics/sweep.hpp"
 #include "tlsph/scene/reader.hpp"
@@ -27,14 +29,17 @@ struct Body {
   double jitter;
   const char* law;
   const char* assumption = "strain";
+  const char* stabiliser = "";  ///< empty: the scene's own
 };
 
 constexpr std::array bodies = {
     Body{"stress-point", "stress-point", 0.0, 0.0, "neo-hookean"},
     Body{"stress-point/irregular", "stress-point", 0.0, 0.2, "neo-hookean"},
     Body{"stress-point/linear", "stress-point", 0.0, 0.0, "linear-elastic"},
+    Body{"stress-point/linear-none", "stress-point", 0.0, 0.0, "linear-elastic", "strain", "none"},
     Body{"stress-point/plane-stress", "stress-point", 0.0, 0.0, "neo-hookean", "stress"},
     Body{"collocated-9", "variational", 1.5, 0.0, "neo-hookean"},
+    Body{"collocated-9/linear", "variational", 1.5, 0.0, "linear-elastic"},
     Body{"collocated-21", "variational", 2.5, 0.0, "neo-hookean"},
     Body{"collocated-21/irregular", "variational", 2.5, 0.2, "neo-hookean"},
 };
@@ -53,6 +58,8 @@ Discretisation<D> sheet(const Body& body, long cells) {
     overrides.push_back(fmt::format("kernel.support={}", body.support));
     overrides.emplace_back("stabiliser.kind=none");
   }
+  if (*body.stabiliser != '\0')
+    overrides.push_back(fmt::format("stabiliser.kind={}", body.stabiliser));
   const std::string text = fmt::format(
       R"(
 dimension = {}
@@ -92,10 +99,10 @@ State<D> at_rest(const Discretisation<D>& disc) {
 }
 
 template <int D>
-void sweep(benchmark::State& run, const Body& body, int threads) {
+void sweep(benchmark::State& run, const Body& body, const SweepOptions& options) {
   const Discretisation<D> disc = sheet<D>(body, run.range(0));
   State<D> state = at_rest<D>(disc);
-  Sweep<D> sweep(disc, {threads, false, Instructions::widest});
+  Sweep<D> sweep(disc, options);
   BoundaryForces<D> forces = sweep.boundary_forces();
   for (auto _ : run) sweep.step(state, dt, state.time + dt, forces);
   count(run, disc.nodes());
@@ -159,14 +166,37 @@ void add(const std::string& name, const Function& function, std::initializer_lis
   for (const long n : cells) added->Arg(n);
 }
 
+const char* name_of(Instructions set) {
+  return set == Instructions::widest ? "widest" : set == Instructions::avx2 ? "avx2" : "baseline";
+}
+
+/// Both ways of a step of linear laws.
+constexpr std::array<std::pair<Instructions, StepForm>, 6> forms = {{
+    {Instructions::widest, StepForm::points},
+    {Instructions::widest, StepForm::stiffness},
+    {Instructions::avx2, StepForm::points},
+    {Instructions::avx2, StepForm::stiffness},
+    {Instructions::baseline, StepForm::points},
+    {Instructions::baseline, StepForm::stiffness},
+}};
+
 template <int D>
 void add_body(const Body& body, std::initializer_list<long> cells) {
   using State = benchmark::State;
   const std::string name = body.name;
   add(
-      "Sweep/" + name, [&body](State& run) { sweep<D>(run, body, 1); }, cells);
+      "Sweep/" + name, [&body](State& run) { sweep<D>(run, body, {1}); }, cells);
   add(
-      "Sweep/" + name + "/threads:2", [&body](State& run) { sweep<D>(run, body, 2); }, cells);
+      "Sweep/" + name + "/threads:2", [&body](State& run) { sweep<D>(run, body, {2}); }, cells);
+  if (std::string_view(body.law) == "linear-elastic")
+    for (const auto& [set, form] : forms)
+      if (available(set)) {
+        const SweepOptions options{1, false, set, false, form};
+        add(
+            fmt::format("Sweep/{}/{}/{}", name, form == StepForm::points ? "points" : "stiffness",
+                        name_of(set)),
+            [&body, options](State& run) { sweep<D>(run, body, options); }, cells);
+      }
   add(
       "Operators/" + name, [&body](State& run) { operators<D>(run, body); }, cells);
   add(

@@ -13,6 +13,15 @@
 ///     rows    r = M⁻¹ (S u + C v)           the same
 ///     nodes   a = M⁻¹ D P − r + loads, v += Δt a, u += Δt v
 ///
+/// A body whose laws are linear needs no stress to move: where that is less work – on lattices of
+/// stress points, by a third and more –, a step is one product
+///
+///     rows    a = Σ B (u_r − u_q) + g       of blocks B of −M⁻¹K, into a window
+///     nodes   a + loads, v += Δt a, u += Δt v
+///
+/// whose block rows are put together from the shared rows of G, D and S, a handful on a lattice;
+/// `evaluate` goes by the points all the same.
+///
 /// Rows of G, M⁻¹D and M⁻¹S that are equal up to a shift are stored once
 /// (operators/row_storage.hpp) and run vectorised across particles. The rows of a cell stabiliser
 /// are a direction more of G and D. Threads own ranges of nodes; what they read of each other is
@@ -21,6 +30,7 @@
 /// rounding.
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,6 +56,13 @@ enum class Instructions { widest, baseline, avx2, avx512 };
 /// what bounds arithmetic here.
 [[nodiscard]] double peak_multiply_adds(Index rounds);
 
+/// How a step finds accelerations.
+enum class StepForm {
+  cheapest,   ///< whatever is least work
+  points,     ///< by strain and stress of the material points
+  stiffness,  ///< as one product with the stiffness, where there is one to be had
+};
+
 struct SweepOptions {
   int threads = 1;
   /// Weights of rows without a stencil in single precision, sums in double: half the traffic on
@@ -55,6 +72,7 @@ struct SweepOptions {
   /// The laws at small strain and no loads, so that `evaluate` gives f = −K u of the undeformed
   /// body.
   bool linearised = false;
+  StepForm form = StepForm::cheapest;
 };
 
 template <int D>
@@ -91,6 +109,10 @@ class Sweep {
 
   /// How rows are stored, of all operators together; bytes of what a step reads beside u and v.
   [[nodiscard]] StorageReport storage() const;
+
+  /// Multiply-adds of a node and step where steps are one product with the stiffness; nothing where
+  /// they go by the points.
+  [[nodiscard]] std::optional<double> stiffness_multiply_adds() const;
 
  private:
   struct Parts;
