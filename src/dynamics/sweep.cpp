@@ -3,14 +3,31 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
-#include "sweep_instructions.hpp"
 #include "sweep_stiffness.hpp"
 #include "sweep_storage.hpp"
 #include "sweep_thread.hpp"
 
 namespace tlsph {
+namespace {
+
+sweep::Level level_of(Instructions instructions) {
+  switch (instructions) {
+    case Instructions::baseline:
+      return sweep::Level::baseline;
+    case Instructions::avx2:
+      return sweep::Level::avx2;
+    case Instructions::avx512:
+      return sweep::Level::avx512;
+    case Instructions::widest:
+      break;
+  }
+  return sweep::widest_level();
+}
+
+}  // namespace
 
 template <int D>
 struct Sweep<D>::Parts {
@@ -31,7 +48,7 @@ struct Sweep<D>::Parts {
         threads(std::max(1, options.threads)),
         storage(discretisation, options.single_weights) {
     shared.disc = &disc;
-    shared.kernels = &sweep::kernels<D>(sweep::level_of(options.instructions));
+    shared.kernels = &sweep::kernels<D>(level_of(options.instructions));
     shared.gradient = storage.gradient_table;
     shared.divergence = storage.divergence_table;
     shared.rows = storage.rows_table;
@@ -93,10 +110,8 @@ struct Sweep<D>::Parts {
 
   void plan_products(const std::vector<Index>& booked, const std::vector<sweep::NodeLoad>& loads,
                      StepForm form) {
-    std::vector<sweep::LawConstants> constants;
-    for (const sweep::RegionLaw<D>& law : shared.laws) constants.push_back(law.constants);
     const bool asked_for = form == StepForm::stiffness;
-    stiffness = sweep::stiffness_of(disc, storage, constants,
+    stiffness = sweep::stiffness_of(disc, storage, shared.laws,
                                     asked_for ? disc.nodes() : 64 + disc.nodes() / 16);
     if (stiffness && !asked_for && stiffness->work >= sweep::work_of_points(disc))
       stiffness.reset();
@@ -168,6 +183,31 @@ bool Sweep<D>::possible(const Discretisation<D>& disc) {
   const bool rows_of_both = disc.viscosity.nonZeros() > 0 && disc.stiffness.nonZeros() > 0;
   return disc.ghosts == nullptr && !signals && !disc.gradient.per_component() &&
          !disc.divergence.per_component() && !rows_of_both;
+}
+
+bool available(Instructions instructions) {
+  return instructions == Instructions::widest || level_of(instructions) <= sweep::widest_level();
+}
+
+double peak_multiply_adds(Index rounds) {
+  using Clock = std::chrono::steady_clock;
+  double sum = 0.0;
+  const auto start = Clock::now();
+  const Index done = sweep::kernels<1>(sweep::widest_level()).multiply_adds(rounds, sum);
+  const std::chrono::duration<double> seconds = Clock::now() - start;
+  return sum > 0.0 ? static_cast<double>(done) / seconds.count() : 0.0;
+}
+
+std::string widest_instructions() {
+  switch (sweep::widest_level()) {
+    case sweep::Level::avx512:
+      return "avx512";
+    case sweep::Level::avx2:
+      return "avx2";
+    case sweep::Level::baseline:
+      break;
+  }
+  return "baseline";
 }
 
 template <int D>

@@ -4,11 +4,11 @@
 /// block rows of −M⁻¹K, K = −D A G + S, put together from the shared rows of the operators, so that
 /// no matrix is ever assembled. Not for other rooms.
 ///
-///     a_q = Σ_r B_qr (u_r − u_q),   B_qr = M_q⁻¹ Σ_s [λ d gᵀ + μ (d·g + g dᵀ) − κ γ_q γ_r] − M_q⁻¹
-///     S_qr
+///     a_q = Σ_r B_qr (u_r − u_q)
+///     B_qr = M_q⁻¹ (Σ_s [λ d gᵀ + μ (d·g + g dᵀ) − κ γ_q γ_r] − S_qr)
 ///
-/// d = D_qs, g = G_sr, γ the row of the cell stabiliser. As differences, since K moves nothing
-/// rigid: what a translation leaves of a sum that cancels would be a force from nowhere.
+/// with d = D_qs, g = G_sr and γ the row of the cell stabiliser. As differences, since K moves
+/// nothing rigid: what a translation leaves of a sum that cancels would be a force from nowhere.
 
 #include <optional>
 #include <vector>
@@ -39,6 +39,9 @@ struct Stiffness {
   [[nodiscard]] BlockTable table() const;
   /// That a product reads.
   [[nodiscard]] double bytes() const;
+  /// Joins runs of one stencil with few rows between them: a long run costs less than several, the
+  /// rows between, computed in vain, included.
+  void run_on();
   /// Nodes that rows read, and nothing else.
   [[nodiscard]] Dependences dependences() const;
 };
@@ -49,7 +52,7 @@ struct Stiffness {
 template <int D>
 [[nodiscard]] std::optional<Stiffness<D>> stiffness_of(const Discretisation<D>& discretisation,
                                                        const Storage<D>& storage,
-                                                       const std::vector<LawConstants>& laws,
+                                                       const std::vector<RegionLaw<D>>& laws,
                                                        Index most_stencils);
 
 /// What a step by points and their stress does for a node, on average, in the same unit.

@@ -34,6 +34,16 @@ density = 1000
 end = 1.0
 )";
 
+const std::string linear = R"(
+[material]
+law = "linear-elastic"
+young = 2e6
+poisson = 0.3
+density = 1000
+[time]
+end = 1.0
+)";
+
 const std::string regions = R"(
 [material]
 young = 2e6
@@ -111,6 +121,7 @@ symmetry = true
                                         "[stabiliser]\nkind = \"cell\"\nas = \"viscosity\"\n" +
                                         tail},
       {"sheet_stress_point_wide", named("stress-point") + sheet + wide + pair + tail},
+      {"sheet_of_linear_law", named("stress-point") + sheet + linear},
       {"sheet_variational", named("variational") + sheet + tail},
       {"sheet_variational_damped", named("variational") + sheet + damped + tail},
       {"sheet_of_two_materials", named("stress-point") + sheet + regions},
