@@ -198,7 +198,7 @@ bool accelerations(const BlockTable& table, Runs runs, Runs patches, const doubl
   std::memcpy(sum, &rest, sizeof sum);
   for (int i = 1; i < D; ++i) sum[0] += sum[i];
   for (int lane = 0; lane < TLSPH_LANES; ++lane) sum[0] += total[lane];
-  return sum[0] - sum[0] == 0.0;
+  return __builtin_isfinite(sum[0]) != 0;
 }
 
 /// The moves of the rows of some runs, whose accelerations are the rows of `motion`; the largest

@@ -225,11 +225,9 @@ std::optional<Stiffness<D>> stiffness_of(const Discretisation<D>& disc, const St
   return Composer<D>(disc, storage, laws, most_stencils).compose();
 }
 
-#define TLSPH_INSTANTIATE(D)                            \
-  template std::optional<Stiffness<D>> stiffness_of<D>( \
-      const Discretisation<D>&, const Storage<D>&, const std::vector<RegionLaw<D>>&, Index);
-TLSPH_INSTANTIATE(1)
-TLSPH_INSTANTIATE(2)
-#undef TLSPH_INSTANTIATE
+template std::optional<Stiffness<1>> stiffness_of(const Discretisation<1>&, const Storage<1>&,
+                                                  const std::vector<RegionLaw<1>>&, Index);
+template std::optional<Stiffness<2>> stiffness_of(const Discretisation<2>&, const Storage<2>&,
+                                                  const std::vector<RegionLaw<2>>&, Index);
 
 }  // namespace tlsph::sweep

@@ -40,7 +40,7 @@ Dependences Stiffness<D>::dependences() const {
         at_least(dep.rows_high[row], q + reach[s]);
         at_least(dep.row_readers[row], q);
         for (auto at = first; at != last; ++at)
-          at_least(dep.row_readers[static_cast<std::size_t>(q + *at)], q);
+          at_least(dep.row_readers[static_cast<std::size_t>(Index{q} + *at)], q);
       }
     }
   return dep;

@@ -117,11 +117,11 @@ void Thread<D>::book(const Task& task, const StepData<D>& step, double* a) const
     const double mass = shared_.disc->mass[node];
     for (int i = 0; i < D; ++i) {
       const Index dof = node * D + i;
-      double& own = a[dof - task.first * D];
-      forces.f(k, i) = mass * own;
+      const Index local = dof - task.first * D;
+      forces.f(k, i) = mass * a[local];
       forces.u(k, i) = step.u[dof];
       forces.v(k, i) = step.v[dof];
-      if (constrained(k, i)) own = 0.0;
+      if (constrained(k, i)) a[local] = 0.0;
     }
   }
 }
