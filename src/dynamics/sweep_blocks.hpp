@@ -213,7 +213,9 @@ double move_on(Runs runs, const Motion& motion) {
     const Index to = static_cast<Index>(run.first) * D;
     const Index length = static_cast<Index>(run.count) * D;
     Index at = 0;
-    if (length >= long_run) {  // stores that cross no line cost half
+    // Stores that cross no line cost half. Parts must round as vectors do, or results would depend
+    // on where u stands: they do where they are one masked instruction.
+    if (lanes == 8 && length >= long_run) {
       at = lanes - static_cast<Index>(
                        (reinterpret_cast<std::uintptr_t>(motion.u + to) / sizeof(double)) % lanes);
       move_part(load<Real>(a), at, motion, to, most);
