@@ -24,10 +24,12 @@ void PrintTo(const Case& test, std::ostream* out) {
   *out << test.name;
 }
 
-std::string rest_of_scene(double end) {
+std::string rest_of_scene(double end, const std::string& law = "neo-hookean") {
   return R"(
 [material]
-law = "neo-hookean"
+law = ")" +
+         law +
+         R"("
 young = 2e6
 poisson = 0.3
 density = 1000
@@ -75,6 +77,7 @@ fixed = true
 )";
   return {
       {"stress_point", sheet + rest_of_scene(0.12)},
+      {"linear", sheet + rest_of_scene(0.12, "linear-elastic")},
       {"variational", "formulation = \"variational\"\n" + sheet + rest_of_scene(0.12)},
       {"damped", "formulation = \"variational\"\n" + sheet +
                      "[stabiliser]\nkind = \"pair\"\nas = \"viscosity\"\n" + rest_of_scene(0.12)},
