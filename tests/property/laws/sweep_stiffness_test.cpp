@@ -7,15 +7,6 @@
 namespace tlsph::property {
 namespace {
 
-/// A gradient that a solve corrected may leave rows that sum to its residual; they stay as they
-/// are.
-template <int D>
-bool sees_no_translation(const Discretisation<D>& disc) {
-  TensorField<D> H(disc.points.size(), D * D);
-  disc.gradient.gradient(VectorField<D>::Ones(disc.nodes(), D), H);
-  return H.cwiseAbs().maxCoeff() * disc.spacing < 1e-14;
-}
-
 /// Bodies of linear laws, which the stiffness may step.
 class SweepOfStencils : public testing::TestWithParam<Variant> {};
 
@@ -29,13 +20,21 @@ TEST_P(SweepOfStencils, IsTheStepOfTheProducts) {
       discretised(scene_of(GetParam(), overrides), [&](auto disc) {
         set_material(disc, material);
         expect_the_same_step(disc);
-        if (sees_no_translation(disc)) expect_the_same_step(disc, 0.1, StepForm::stiffness);
+        expect_the_same_step(disc, 0.1, StepForm::stiffness);
       });
     }
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(, SweepOfStencils, testing::ValuesIn(variants_of_one_kernel()), ByName());
+/// A gradient that a solve corrected has rows that sum to its residual.
+std::vector<Variant> variants_that_see_no_translation() {
+  std::vector<Variant> all = variants_of_one_kernel();
+  std::erase_if(all, [](const Variant& variant) { return !variant.consistency.empty(); });
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(, SweepOfStencils, testing::ValuesIn(variants_that_see_no_translation()),
+                         ByName());
 
 TEST(SweepOfStiffness, IsTheStepOfTheProductsOfSmallBodies) {
   for (const char* size : {"0.02", "0.01", "0.005"})
