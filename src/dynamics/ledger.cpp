@@ -69,7 +69,8 @@ void book_ways(Ledger<D>& ledger, const Books<D>& books, const Ways& ways, const
   for (std::size_t l = 0; l < disc.loads.size(); ++l) {
     const Load& load = disc.loads[l];
     const std::vector<Index>& list = books.slots == nullptr ? none : books.slots->loads[l];
-    const double pressure = value(load.curve, books.time);
+    const double pressure =
+        books.slots == nullptr ? value(load.curve, books.time) : books.slots->load_values[l];
     for (std::size_t k = 0; k < load.dof.size(); ++k) {
       const Index slot = books.slot(list, k, load.dof[k]);
       const double force = pressure * load.weight[k];
@@ -135,6 +136,7 @@ BoundaryForces<D>::BoundaryForces(const Discretisation<D>& disc) {
     return list;
   };
   for (const Load& load : disc.loads) loads.push_back(slots(load.dof));
+  load_values.assign(disc.loads.size(), 0.0);
   fixed = slots(disc.constraints.fixed);
   held = slots(disc.constraints.held);
   for (const auto& motion : disc.constraints.moved) moved.push_back(slot(motion.dof));

@@ -249,6 +249,7 @@ void Sweep<D>::step(State<D>& state, double dt, double next_time, BoundaryForces
   parts.evaluate_loads(state.time);
   if constexpr (D > 1)
     if (disc.has_body_force()) forces.moment_of_mass = moment_of_mass<D>(disc, state.u);
+  std::ranges::copy(parts.shared.pressures, forces.load_values.begin());
   const double kick = 0.5 * (state.last_dt + dt);
   const sweep::StepData<D> step{state.u.data(),          state.v.data(), kick, dt,
                                 &parts.shared.pressures, &forces};

@@ -27,6 +27,7 @@ struct BoundaryForces {
   /// Rows above, times d plus component, of the degrees of freedom of each load and of the
   /// constraints, in their order.
   std::vector<std::vector<Index>> loads;
+  std::vector<double> load_values;  ///< of the loads' curves at t_n
   std::vector<Index> fixed, held, moved;
 
   explicit BoundaryForces(const Discretisation<D>& discretisation);
