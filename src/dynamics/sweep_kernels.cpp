@@ -15,8 +15,14 @@ TLSPH_DECLARE(avx512)
 Level widest_level() {
 #ifdef TLSPH_X86
   __builtin_cpu_init();
-  if (__builtin_cpu_supports("x86-64-v4")) return Level::avx512;
-  if (__builtin_cpu_supports("x86-64-v3")) return Level::avx2;
+  // By features: clang knows the levels x86-64-v3 and -v4 by name only from later versions on.
+  const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
+                    __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
+  const bool avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+                      __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
+                      __builtin_cpu_supports("avx512vl");
+  if (avx2 && avx512) return Level::avx512;
+  if (avx2) return Level::avx2;
 #endif
   return Level::baseline;
 }

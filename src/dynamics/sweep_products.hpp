@@ -131,7 +131,7 @@ void divergence(const Table& table, Runs runs, Window P, double* out, Index out_
       at += chunk * lanes;
     };
     while (at + 4 * lanes <= length) pass(Constant<4>{});
-    while (at < length) pass(Constant<1>{});
+    while (at < length) pass(Constant<1>{});  // NOLINT(bugprone-infinite-loop): pass moves at
   }
 }
 

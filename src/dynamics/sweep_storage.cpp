@@ -21,7 +21,7 @@ RowStorage with_row_factors(const RowStorage& rows, const ScalarField& scale) {
       result.offset.push_back(rows.offset[static_cast<std::size_t>(k)]);
       for (int a = 0; a < rows.stride; ++a)
         result.weight.push_back(factor *
-                                rows.weight[static_cast<std::size_t>(k * rows.stride + a)]);
+                                rows.weight[static_cast<std::size_t>(Index{k} * rows.stride + a)]);
     }
     result.stencil_start.push_back(static_cast<int>(result.offset.size()));
     result.reach.push_back(rows.reach[s]);

@@ -22,6 +22,7 @@ class Storage {
   Storage(const Discretisation<D>& discretisation, bool single);
   Storage(const Storage&) = delete;
   Storage& operator=(const Storage&) = delete;
+  ~Storage() = default;
 
   Table gradient_table, divergence_table, rows_table;
   bool modes = false;     ///< A u is a direction of G, −Aᵀκ one of D

@@ -21,7 +21,7 @@ namespace {
 /// Nodes of a plate of n spacings a side, shifted rows pulled about by a smooth map: nowhere a
 /// lattice, distances from 0.8 to 1.2 spacings.
 std::filesystem::path graded_plate(int n) {
-  const auto path =
+  auto path =
       std::filesystem::temp_directory_path() / fmt::format("tlsph_plate_{}_{}.csv", n, ::getpid());
   std::ofstream file(path);
   file << "x,y\n";
