@@ -2,11 +2,13 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <numbers>
+#include <string>
 
 #include "tlsph/core/error.hpp"
 
@@ -76,8 +78,8 @@ class HistoryFile : public testing::Test {
 
   std::filesystem::path path_ =
       std::filesystem::path(testing::TempDir()) /
-      (std::string("tlsph_") + testing::UnitTest::GetInstance()->current_test_info()->name() +
-       ".csv");
+      (std::string("tlsph_") + testing::UnitTest::GetInstance()->current_test_info()->name() + "_" +
+       std::to_string(::getpid()) + ".csv");
 };
 
 TEST_F(HistoryFile, IsReadToTheLastBit) {
