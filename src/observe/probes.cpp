@@ -19,6 +19,22 @@ constexpr std::array<std::string_view, 3> axes = {"x", "y", "z"};
 }  // namespace
 
 template <int D>
+std::vector<std::string> component_suffixes(std::string_view stem) {
+  std::vector<std::string> suffixes;
+  if (stem == "displacement" || stem == "velocity" || stem == "acceleration") {
+    for (std::size_t i = 0; i < D; ++i) suffixes.push_back(fmt::format("_{}", axes[i]));
+  } else if (stem == "deformation_gradient" || stem == "pk1" || stem == "cauchy") {
+    const bool symmetric = stem == "cauchy";
+    for (std::size_t i = 0; i < D; ++i)
+      for (std::size_t j = symmetric ? i : 0; j < D; ++j)
+        suffixes.push_back(fmt::format("_{}{}", axes[i], axes[j]));
+  } else {
+    suffixes.emplace_back("");
+  }
+  return suffixes;
+}
+
+template <int D>
 Probes<D>::Probes(const Discretisation<D>& disc, const std::vector<ProbeRequest<D>>& requests) {
   static constexpr std::array<std::pair<std::string_view, Kind>, 8> names = {
       {{"displacement", Kind::displacement},
@@ -42,29 +58,8 @@ Probes<D>::Probes(const Discretisation<D>& disc, const std::vector<ProbeRequest<
       if (entry == names.end())
         throw InputError(fmt::format("probe \"{}\": no quantity {}", request.name, stem));
       probe.kinds.push_back(entry->second);
-      const auto add = [&](std::string_view suffix) {
+      for (const std::string& suffix : component_suffixes<D>(stem))
         columns_.push_back(fmt::format("{}.{}{}", request.name, stem, suffix));
-      };
-      switch (entry->second) {
-        case Kind::displacement:
-        case Kind::velocity:
-        case Kind::acceleration:
-          for (std::size_t i = 0; i < D; ++i) add(fmt::format("_{}", axes[i]));
-          break;
-        case Kind::deformation_gradient:
-        case Kind::pk1:
-          for (std::size_t i = 0; i < D; ++i)
-            for (std::size_t a = 0; a < D; ++a) add(fmt::format("_{}{}", axes[i], axes[a]));
-          break;
-        case Kind::cauchy:
-          for (std::size_t i = 0; i < D; ++i)
-            for (std::size_t j = i; j < D; ++j) add(fmt::format("_{}{}", axes[i], axes[j]));
-          break;
-        case Kind::pressure:
-        case Kind::von_mises:
-          add("");
-          break;
-      }
     }
     probes_.push_back(std::move(probe));
   }
@@ -152,6 +147,8 @@ std::vector<Index> Probes<D>::points() const {
   return all;
 }
 
+template std::vector<std::string> component_suffixes<1>(std::string_view);
+template std::vector<std::string> component_suffixes<2>(std::string_view);
 template class Probes<1>;
 template class Probes<2>;
 

@@ -9,6 +9,7 @@
 
 #include "tlsph/analysis/oscillation.hpp"
 #include "tlsph/core/error.hpp"
+#include "tlsph/observe/probes.hpp"
 #include "tlsph/scene/names.hpp"
 
 namespace tlsph {
@@ -27,6 +28,17 @@ ValueName split(const std::string& name) {
   return {name.substr(0, dot), name.substr(dot + 1)};
 }
 
+/// The columns of probes.csv.
+template <int D>
+std::vector<std::string> columns_of(const Scene& scene) {
+  std::vector<std::string> columns;
+  for (const ProbeScene& probe : scene.probes)
+    for (const Quantity quantity : probe.record)
+      for (const std::string& suffix : component_suffixes<D>(name_of(quantity)))
+        columns.push_back(fmt::format("{}.{}{}", probe.name, name_of(quantity), suffix));
+  return columns;
+}
+
 double read_value(const std::string& word, const std::vector<double>& time,
                   const std::vector<double>& values) {
   if (word == "end") return values.back();
@@ -39,6 +51,8 @@ double read_value(const std::string& word, const std::vector<double>& time,
 }  // namespace
 
 void check_value_names(const std::vector<std::string>& names, const Scene& scene) {
+  const std::vector<std::string> columns =
+      scene.dimension == 1 ? columns_of<1>(scene) : columns_of<2>(scene);
   for (const std::string& name : names) {
     const auto [column, word] = split(name);
     if (std::ranges::find(words, word) == words.end())
@@ -46,16 +60,11 @@ void check_value_names(const std::vector<std::string>& names, const Scene& scene
                        fmt::format("{}: a value is a column of probes.csv with .{} behind it, e.g. "
                                    "tip.displacement_y.period",
                                    name, fmt::join(words, ", .")));
-    const auto recorded = [&column = column](const ProbeScene& probe) {
-      if (!column.starts_with(probe.name + ".")) return false;
-      const std::string quantity = column.substr(probe.name.size() + 1);
-      return std::ranges::any_of(probe.record, [&](Quantity q) {
-        const std::string stem(name_of(q));
-        return quantity == stem || quantity.starts_with(stem + "_");
-      });
-    };
-    if (std::ranges::none_of(scene.probes, recorded))
-      throw InputError(value_option, fmt::format("{}: no probe records {}", name, column));
+    if (std::ranges::find(columns, column) == columns.end())
+      throw InputError(
+          value_option,
+          fmt::format("{}: no probe records {}; choose from {}", name, column,
+                      columns.empty() ? "none" : fmt::format("{}", fmt::join(columns, ", "))));
   }
 }
 

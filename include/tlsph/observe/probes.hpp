@@ -4,6 +4,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tlsph/dynamics/state.hpp"
@@ -19,6 +20,11 @@ struct ProbeRequest {
   Vector<D> at;  ///< reference position [m]
   std::vector<std::string> quantities;
 };
+
+/// What stands behind the stem of a quantity in the names of its columns, in the order of the
+/// columns: `_x` …, `_xy` …, nothing for a scalar.
+template <int D>
+[[nodiscard]] std::vector<std::string> component_suffixes(std::string_view stem);
 
 /// Evaluates probes by rows fixed at construction: the particle at the position if there is one,
 /// else a first-order consistent interpolation (nodes for motion, material points for strain and

@@ -266,6 +266,12 @@ TEST_F(Chart, RefusesWhatIsNone) {
       },
       "no probe records");
   refuses(
+      probes,
+      [](auto& r) {
+        r.values = {{"tip.displacement.end", 1.0}};
+      },
+      "no probe records");
+  refuses(
       exact, [](auto& r) { r.budget = 0.0; }, "--budget: 0 s is no time");
   refuses(
       exact, [](auto& r) { r.formulations = {"fem"}; }, "--formulation: there is no");

@@ -149,6 +149,8 @@ TEST_F(Fit, RefusesWhatIsNoFitBeforeItWritesAnything) {
   asked.quantity = "";
   asked.value = ChartValue{"toe.displacement_x.max", 1.0};
   refused(asked, "no probe records");
+  asked.value = ChartValue{"tip.displacement_z.max", 1.0};
+  refused(asked, "choose from tip.displacement_x");
   refused(request(pushed_bar + tip, 1e-2), "--value");
   asked = request(pushed_bar + tip, 1e-2);
   asked.quantity = "stress";
