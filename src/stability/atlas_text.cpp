@@ -73,7 +73,7 @@ std::string table_of_states(const Atlas& atlas) {
   if (methods.empty()) return "";
   std::string text = fmt::format(
       "States: a letter each, stretches {:g} side by side, then Poisson ratios {:g}, then layouts "
-      "(jitter {:g});\nmethods of degree have fewer.  . stable  m material not hyperbolic  "
+      "(jitter {:g});\nnot every method has all of them.  . stable  m material not hyperbolic  "
       "N ω² < 0  G growing  s modes without energy  R refused\n\n"
       "{:<40} {:>15} {:>15}  states\n",
       fmt::join(values_of(atlas.rows, [](const AtlasRow& row) { return row.stretch; }), " "),
@@ -163,10 +163,10 @@ std::string Atlas::text() const {
         safe.smallest_share, safe.largest_share, safe.stable_states, safe.lost_runs);
   for (const Failure& failure : failures)
     text += fmt::format(
-        "\n{} ({} states)\n  fails: {}\n  why:   {}\n  cure:  {}\n  run:   {}\n  "
+        "\n{} ({} state{})\n  fails: {}\n  why:   {}\n  cure:  {}\n  run:   {}\n  "
         "cured: {}\n",
-        failure.where, failure.states, failure.what, failure.why, failure.cure, failure.evidence,
-        failure.cured);
+        failure.where, failure.states, failure.states == 1 ? "" : "s", failure.what, failure.why,
+        failure.cure, failure.evidence, failure.cured);
   return text + fmt::format("\n{} states, {} methods' waves, {:.0f} s{}\n", rows.size(),
                             waves.size(), seconds, interrupted ? ", interrupted" : "");
 }

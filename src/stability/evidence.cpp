@@ -69,10 +69,11 @@ std::string stays(const AtlasRow& row) {
 }
 
 std::string grows(const AtlasRow& row, const PerturbedRun& run) {
-  std::string text = fmt::format(
-      "{}: a displacement of 1e-10 spacings grows by e^{:.3g} a step "
-      "(spectrum: {:.3g}) at {:.3g} of the critical one",
-      row.name, run.seen, run.expected, run.ratio);
+  std::string text = fmt::format("{}: a displacement of 1e-10 spacings grows by e^{:.3g} a step",
+                                 row.name, run.seen);
+  // With a viscosity the squares of the spectrum alone do not tell.
+  if (!std::isnan(run.expected)) text += fmt::format(" (spectrum: {:.3g})", run.expected);
+  text += fmt::format(" at {:.3g} of the critical one", run.ratio);
   if (run.lost_at >= 0) text += fmt::format(", det F <= 0 at step {}", run.lost_at);
   return text;
 }
@@ -179,7 +180,8 @@ void add_crush(const Atlas& atlas, std::vector<Failure>& failures) {
            worst->method, worst->speed, worst->closest, worst->steps),
        fmt::format("{}: to the end in {} steps, never above {:.3f} of the critical one, {} new "
                    "estimates, {:.1f} % of the stepping time",
-                   cure->method, cure->steps, cure->closest, cure->estimates, 100.0 * cure->share),
+                   cure->method, cure->steps, cure->closest, cure->estimates - 1,
+                   100.0 * cure->share),
        count});
 }
 

@@ -148,7 +148,7 @@ PerturbedRun perturbed_run(const Specimen<D>& specimen, const StateSpectrum& spe
   } catch (const NumericalError&) {
     run.lost_at = body.state().step;
   }
-  run.amplitude = *std::ranges::max_element(amplitude);
+  if (!amplitude.empty()) run.amplitude = *std::ranges::max_element(amplitude);
   run.seen = growth_of(amplitude);
   return run;
 }

@@ -84,6 +84,10 @@ Subject read_subject(const std::filesystem::path& file, const std::vector<std::s
   const Scene asked = read_scene(file, overrides);
   subject.name = asked.file;
   subject.text = asked.text;
+  if (!asked.body.cloud.empty())
+    throw InputError(asked.body.cloud_place,
+                     "the atlas has lattices and jitters of its own, and points of a file stay "
+                     "where they are: leave the cloud out, the shape is filled");
   if (asked.materials.size() != 1)
     throw InputError(asked.materials.back().place,
                      "the atlas varies the material of a body of one; leave the other regions out");

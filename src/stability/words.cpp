@@ -47,6 +47,8 @@ constexpr std::array entries = {
     Entry{"8 ghosts", "the uniform state cannot be set up: det F <= 0 in it",
           "ghosts are solved for, and the solution oscillates beside the boundary",
           "mirrored ghosts, or no ghosts at all"},
+    Entry{"9 not for it", "no operators: the method is not made for this body",
+          "what it asks of the body is said below", "a method of the others"},
 };
 
 }  // namespace
@@ -62,7 +64,8 @@ std::string group_of(const AtlasRow& row) {
     case Verdict::soft:
       return row.method.ends_with("+ S") ? "6 weak" : "5 soft";
     case Verdict::refused:
-      if (row.refusal.find("do not determine") == std::string::npos) return "8 ghosts";
+      if (row.refusal.find("det F") != std::string::npos) return "8 ghosts";
+      if (row.refusal.find("do not determine") == std::string::npos) return "9 not for it";
       return row.body == "scene" ? "7 no gradient" : "7 thin body";
     case Verdict::stable:
       break;

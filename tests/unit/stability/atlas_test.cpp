@@ -145,10 +145,30 @@ TEST(Atlas, FollowedStepsReachTheEndOfACompression) {
     }
 }
 
+TEST(Atlas, TellsAMethodThatIsNotForTheBodyFromOneThatFails) {
+  const Atlas atlas =
+      draw_atlas({scenes / "sheet.toml",
+                  {"body.shape={disc={centre=[0.0, 0.0], radius=0.1}}", "body.spacing=0.02"},
+                  "^mirror 2\\.5, lattice, nu 0\\.3, stretch 1$"},
+                 {});
+
+  ASSERT_EQ(atlas.rows.size(), 1U);
+  EXPECT_EQ(atlas.rows.front().verdict, Verdict::refused);
+  ASSERT_EQ(atlas.failures.size(), 1U);
+  EXPECT_THAT(atlas.failures.front().what, HasSubstr("not made for this body"));
+  EXPECT_THAT(atlas.failures.front().evidence, HasSubstr("must be an interval or a box"));
+}
+
 TEST(Atlas, RefusesWhatItCannotDraw) {
   EXPECT_THROW((void)atlas_of("sheet.toml", "("), InputError);
   EXPECT_THROW((void)atlas_of("sheet.toml", "^no such row$"), InputError);
   EXPECT_THROW((void)draw_atlas({scenes / "missing.toml", {}, ""}, {}), InputError);
+  const auto cloud = std::filesystem::path(TLSPH_SOURCE_DIR) / "examples/pressure_ring.toml";
+  EXPECT_THAT(
+      [&] {
+        (void)draw_atlas({cloud, {}, ""}, {});
+      },
+      testing::ThrowsMessage<InputError>(HasSubstr("leave the cloud out")));
 }
 
 }  // namespace
