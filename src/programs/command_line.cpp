@@ -23,8 +23,9 @@ void add_out(CLI::App& command, CommandLine& line, const std::string& standard) 
   command.add_option("--out", line.out, "directory for the results" + standard)->type_name("DIR");
 }
 
-void add_threads(CLI::App& command, CommandLine& line) {
-  command.add_option("--threads", line.threads, "threads; default: as many as pay")
+void add_threads(CLI::App& command, CommandLine& line,
+                 const std::string& standard = "as many as pay") {
+  command.add_option("--threads", line.threads, "threads; default: " + standard)
       ->type_name("N")
       ->check(CLI::Range(1, 4096));
 }
@@ -137,7 +138,7 @@ void add_chart(CLI::App& app, CommandLine& line) {
   list("--formulation", line.formulations, "only these formulations", "A[,B,...]");
   list("--peer", line.peers, "other programs beside it, scripts of validation/peers", "A[,B,...]");
   add_out(*command, line, "; default: out/<name of the scene>-chart");
-  add_threads(*command, line);
+  add_threads(*command, line, "1");
   add_quiet(*command, line);
   command->callback([&line] { line.command = Command::chart; });
 }
@@ -158,7 +159,7 @@ void add_fit(CLI::App& app, CommandLine& line) {
       ->expected(1)
       ->excludes(quantity);
   add_out(*command, line, "; default: out/<name of the scene>-fit");
-  add_threads(*command, line);
+  add_threads(*command, line, "1");
   add_quiet(*command, line);
   command->callback([&line] { line.command = Command::fit; });
 }
