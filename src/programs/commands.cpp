@@ -121,6 +121,7 @@ ExitCode draw_stability(const CommandLine& line) {
       line.out.empty() ? "out" / line.scene.stem().concat("-stability") : line.out;
   ProgressDisplay display(stdout, ProgressDisplay::style_for(stdout, line.quiet));
   AtlasOptions options;
+  options.out = out;
   options.stop_requested = catch_interrupts();
   options.progress = [&](double share, const std::string& what) { display.show(share, what); };
 

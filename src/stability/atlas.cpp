@@ -11,6 +11,7 @@
 #include "failure.hpp"
 #include "judge.hpp"
 #include "tlsph/core/error.hpp"
+#include "tlsph/io/files.hpp"
 #include "tlsph/linear/blas_threads.hpp"
 #include "tlsph/simulation/version.hpp"
 #include "waves.hpp"
@@ -111,6 +112,7 @@ Atlas draw_atlas(const AtlasRequest& request, const AtlasOptions& options) {
         fmt::format("--only: \"{}\" matches no row of the atlas; names look like "
                     "\"{}\"",
                     request.only, "variational 2.5 + S, jitter 0.2, nu 0.3, stretch 0.5"));
+  if (!options.out.empty()) make_output_directory(options.out);
   double total = 0.0;
   for (const Piece& piece : pieces) total += piece.weight;
   double done = 0.0;

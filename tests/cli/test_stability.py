@@ -101,6 +101,11 @@ class Refused(Stability):
             self.assertIn(words, done.stderr)
             self.assertFalse((self.folder / "atlas").exists())
 
+    def test_output_that_cannot_be_written(self):
+        (self.folder / "atlas").write_text("a file in the way")
+        done = self.stability("", code=4)  # at once, not after the minute that all of it takes
+        self.assertIn("atlas", done.stderr)
+
     def test_two_materials(self):
         scene = SHEET.replace("[material]", "[[material]]").replace(
             "[[boundary]]",

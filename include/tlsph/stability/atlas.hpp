@@ -149,12 +149,14 @@ struct AtlasRequest {
 };
 
 struct AtlasOptions {
+  std::filesystem::path out;  ///< made once the request is sound; empty: none is made
   std::function<void(double share, const std::string& what)> progress;  ///< may be empty
   const std::atomic<bool>* stop_requested = nullptr;
 };
 
 /// Draws the atlas on the body and material of the scene. InputError for what is wrong with it, for
-/// more than one material, and for a regular expression that is none or matches nothing.
+/// more than one material, points of a file, and a regular expression that is none or matches
+/// nothing. OutputError, before anything is computed, where `out` cannot be made.
 [[nodiscard]] Atlas draw_atlas(const AtlasRequest& request, const AtlasOptions& options);
 
 }  // namespace tlsph
