@@ -74,15 +74,25 @@ const AtlasRow* cured(const Atlas& atlas, const AtlasRow& sick) {
   return nullptr;
 }
 
-/// The same method where its material carries waves: the next smaller Poisson ratio or stretch.
+/// The same method where its material carries waves: the next smaller Poisson ratio; where none is
+/// small enough, the nearest stretch.
 const AtlasRow* within_hyperbolicity(const Atlas& atlas, const AtlasRow& sick) {
-  const AtlasRow* best = nullptr;
+  const AtlasRow* softer = nullptr;
+  const AtlasRow* nearer = nullptr;
+  const auto distance = [&](const AtlasRow& row) {
+    return std::abs(std::log(row.stretch / sick.stretch));
+  };
   for (const AtlasRow& row : atlas.rows) {
-    if (row.method != sick.method || row.body != sick.body || row.jitter != sick.jitter) continue;
-    const bool nearer = row.stretch == sick.stretch && row.poisson < sick.poisson;
-    if (nearer && holds(row) && (best == nullptr || row.poisson > best->poisson)) best = &row;
+    if (row.method != sick.method || row.body != sick.body || row.jitter != sick.jitter ||
+        !holds(row))
+      continue;
+    if (row.stretch == sick.stretch && row.poisson < sick.poisson &&
+        (softer == nullptr || row.poisson > softer->poisson))
+      softer = &row;
+    if (row.poisson == sick.poisson && (nearer == nullptr || distance(row) < distance(*nearer)))
+      nearer = &row;
   }
-  return best;
+  return softer != nullptr ? softer : nearer;
 }
 
 double severity(const AtlasRow& row) {

@@ -12,11 +12,13 @@ struct Entry {
 
 // In the order of the story: what the material does, what operators do, what cannot be built.
 constexpr std::array entries = {
-    Entry{"1 material", "every method grows, at any step and any spacing",
-          "the law has lost hyperbolicity: its acoustic tensor is not positive, so a homogeneous "
-          "state "
-          "cannot exist",
-          "none in the method: a smaller Poisson ratio or stretch, or a law that stays hyperbolic"},
+    Entry{
+        "1 material", "every method grows, at any step and any spacing",
+        "the law has lost hyperbolicity: its acoustic tensor is not positive, so a homogeneous "
+        "state "
+        "cannot exist",
+        "none in the method: a smaller Poisson ratio or a stretch nearer to 1, or a law that stays "
+        "hyperbolic"},
     Entry{
         "2 compression", "ω² < 0 though the material carries waves, growth at any step",
         "under pressure the tangent weighs Σ V (∂₁u₁ ∂₂u₂ − ∂₂u₁ ∂₁u₂), which is zero for every "

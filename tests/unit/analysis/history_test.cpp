@@ -71,12 +71,12 @@ TEST(SquaredNorm, IsTheTrapezoidalIntegral) {
 class HistoryFile : public testing::Test {
  protected:
   std::filesystem::path write(const std::string& text) {
-    std::ofstream(path_) << text;
-    return path_;
+    std::ofstream(path) << text;
+    return path;
   }
-  void TearDown() override { std::filesystem::remove(path_); }
+  void TearDown() override { std::filesystem::remove(path); }
 
-  std::filesystem::path path_ =
+  std::filesystem::path path =
       std::filesystem::path(testing::TempDir()) /
       (std::string("tlsph_") + testing::UnitTest::GetInstance()->current_test_info()->name() + "_" +
        std::to_string(::getpid()) + ".csv");

@@ -97,6 +97,19 @@ TEST(Atlas, SetsBesideAFailureTheRowThatCuresIt) {
   EXPECT_EQ(soft.states, 1);
 }
 
+TEST(Atlas, ALawLostAtEveryPoissonRatioIsCuredByTheNearestStretch) {
+  const Atlas atlas =
+      draw_atlas({scenes / "sheet.toml",
+                  {"body.spacing=0.02", "material.law=st-venant-kirchhoff"},
+                  "^stress-point cells \\+ S, lattice, nu 0\\.(3|49), stretch (0\\.5|1|1\\.5)$"},
+                 {});
+
+  ASSERT_FALSE(atlas.failures.empty());
+  EXPECT_THAT(atlas.failures.front().why, HasSubstr("hyperbolicity"));
+  EXPECT_THAT(atlas.failures.front().evidence, HasSubstr("stretch 0.5:"));
+  EXPECT_THAT(atlas.failures.front().cured, HasSubstr("stretch 1:"));
+}
+
 TEST(Atlas, GrowthAtAnyStepIsThatOfPairsThatAreNoAdjoint) {
   // The ghosts of the thesis need a bar longer than twice their reach.
   const Atlas atlas = draw_atlas(
