@@ -179,9 +179,9 @@ void add_crush(const Atlas& atlas, std::vector<Failure>& failures) {
            "{}, edge at {:g} c_p: {:.1f} times the critical step, det F <= 0 after {} steps",
            worst->method, worst->speed, worst->closest, worst->steps),
        fmt::format("{}: to the end in {} steps, never above {:.3f} of the critical one, {} new "
-                   "estimates, {:.1f} % of the stepping time",
+                   "estimate{}, {:.1f} % of the stepping time",
                    cure->method, cure->steps, cure->closest, cure->estimates - 1,
-                   100.0 * cure->share),
+                   cure->estimates == 2 ? "" : "s", 100.0 * cure->share),
        count});
 }
 
