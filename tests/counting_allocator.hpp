@@ -6,6 +6,10 @@
 #include <atomic>
 #include <cstddef>
 
+// Includes what declares some of the names below once more, as clang wants it: before they are
+// defined.
+#include "tlsph/core/types.hpp"
+
 #if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
 #define TLSPH_COUNTS_ALLOCATIONS
 

@@ -27,8 +27,8 @@ LatticeSymbol<2> membrane(double transverse, double longitudinal) {
   k(1, 1) = std::pow(transverse / spacing, 2);
   LatticeSymbol<2> symbol{{Vector<2>::Zero()}, {4.0 * k}};
   for (const auto& [i, j] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
-    symbol.offset.push_back(Vector<2>(i, j) * spacing);
-    symbol.block.push_back(-k);
+    symbol.offset.emplace_back(Vector<2>(i, j) * spacing);
+    symbol.block.emplace_back(-k);
   }
   return symbol;
 }

@@ -60,6 +60,7 @@ TEST(Symbol, IsTheDerivativeOfTheSums) {
   const Vector<2> direction(0.6, -0.8);
   constexpr double size = 1e-6;
   constexpr int n = 21;
+  constexpr int half = n / 2;
   CurrentBody<2> body{lattice.kernel, lattice.h, lattice.moduli, ScalarField::Ones(n * n),
                       VectorField<2>::Zero(n * n, 2)};
   CurrentState<2> state{0.0, VectorField<2>(n * n, 2), VectorField<2>(n * n, 2),
@@ -67,7 +68,7 @@ TEST(Symbol, IsTheDerivativeOfTheSums) {
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) {
       const Index q = i * n + j;
-      state.x.row(q) << i - n / 2, j - n / 2;
+      state.x.row(q) << i - half, j - half;
       state.v.row(q) = size * std::cos(k.dot(state.x.row(q).transpose())) * direction.transpose();
       state.stress.row(q) << lattice.stress, 0.0, 0.0, lattice.stress;
     }

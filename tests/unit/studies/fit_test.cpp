@@ -17,9 +17,7 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::Ge;
 using testing::HasSubstr;
-using testing::IsEmpty;
 using testing::Le;
-using testing::Not;
 using testing::ThrowsMessage;
 
 const std::string tip = "[[probe]]\nname = \"tip\"\nat = [1.0]\nrecord = [\"displacement\"]\n";
