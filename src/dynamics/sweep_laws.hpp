@@ -12,13 +12,13 @@ namespace {
 /// 1 + e = 2^k (1 + f), and e itself is f for k = 0. It needs 1/(2 + f), the caller 1/J: one
 /// division serves both.
 TLSPH_INLINE Real log_volume(Real e, Real J, Real& inverse) {
-  constexpr std::int64_t root_half = 0x3FE6A09E667F3BCD;  // of √½
-  constexpr std::int64_t bias = std::int64_t{1024} << 52;
+  constexpr std::uint64_t root_half = 0x3FE6A09E667F3BCD;  // of √½
+  constexpr std::uint64_t bias = std::uint64_t{1024} << 52;
   using Unsigned = std::uint64_t __attribute__((vector_size(TLSPH_LANES * 8)));
-  Whole bits;
+  Unsigned bits;  // without a sign: those of J < 0, whose lanes are lost, wrap around
   std::memcpy(&bits, &J, sizeof bits);
-  const Whole k = (Whole)(((Unsigned)(bits - root_half + bias)) >> 52) - 1024;
-  const Whole mantissa_bits = bits - (k << 52);
+  const Whole k = (Whole)((bits - root_half + bias) >> 52) - 1024;
+  const Unsigned mantissa_bits = bits - ((Unsigned)k << 52);
   Real mantissa;
   std::memcpy(&mantissa, &mantissa_bits, sizeof mantissa);
   const Real f = k == 0 ? e : mantissa - 1.0;

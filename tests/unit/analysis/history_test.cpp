@@ -93,8 +93,8 @@ TEST_F(HistoryFile, IsReadToTheLastBit) {
 
 TEST_F(HistoryFile, IsRefusedWithItsPlace) {
   const auto refuses = [&](const std::string& text, const std::string& message) {
-    const auto path = write(text);
-    EXPECT_THAT([&] { (void)read_history(path); }, ThrowsMessage<InputError>(HasSubstr(message)))
+    const auto written = write(text);
+    EXPECT_THAT([&] { (void)read_history(written); }, ThrowsMessage<InputError>(HasSubstr(message)))
         << text;
   };
   refuses("", "empty");
