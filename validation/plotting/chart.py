@@ -18,7 +18,7 @@ from plotting.style import COLOURS, FAINT, INK, WIDTH
 #  formulation: colour, marker
 FORMULATIONS = {"stress-point": (COLOURS[0], "o"), "consistent": (COLOURS[2], "s"), "variational": (COLOURS[1], "^"),
                 "mirror": (COLOURS[3], "D"), "thesis": (COLOURS[4], "v")}
-PEER_MARKERS = "XP*hdp"
+PEER_MARKERS = "XP*hdp<>8H"
 LIST_SIZE = 6.2  # points, of the names below a panel
 LINE_HEIGHT = 1.2 * LIST_SIZE / 72  # inches
 LIST_WIDTH = 132  # characters of the list in the width of the figure, over its panels
