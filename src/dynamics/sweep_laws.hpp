@@ -77,13 +77,13 @@ struct LinearElastic {
   static constexpr bool reads_volume = false;
   Real lambda, mu;
   TLSPH_INLINE void operator()(Real& h, Whole& good) const {
-    good &= h < huge;
+    good &= absolute(h) < huge;
     h *= lambda + 2.0 * mu;
   }
   TLSPH_INLINE void operator()(Real& h00, Real& h10, Real& h01, Real& h11, Whole& good) const {
     const Real trace = h00 + h11;
     const Real shear = mu * (h01 + h10);
-    good &= trace < huge;
+    good &= absolute(trace) + absolute(h00) + absolute(shear) < huge;
     h00 = lambda * trace + 2.0 * mu * h00;
     h11 = lambda * trace + 2.0 * mu * h11;
     h01 = shear;

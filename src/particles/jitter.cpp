@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <numeric>
 #include <random>
 #include <utility>
 #include <vector>
@@ -51,6 +53,20 @@ VectorField<D> with_sound_cells(const VectorField<D>& lattice, VectorField<D> mo
   return X;
 }
 
+/// Nodes of cells by their places, the first coordinate first; those of clouds as they come.
+template <int D>
+std::vector<Index> in_order(const Particles<D>& particles) {
+  const VectorField<D>& X = particles.X;
+  std::vector<Index> order(static_cast<std::size_t>(X.rows()));
+  std::iota(order.begin(), order.end(), Index{0});
+  if (D == 2 && !particles.triangles.empty()) return order;
+  std::ranges::stable_sort(order, [&](Index p, Index q) {
+    return std::lexicographical_compare(X.row(p).begin(), X.row(p).end(), X.row(q).begin(),
+                                        X.row(q).end());
+  });
+  return order;
+}
+
 /// Cells stay, and volumes follow them.
 template <int D>
 void move_cells(Particles<D>& particles, VectorField<D> moves) {
@@ -85,7 +101,7 @@ Particles<D> jittered(Particles<D> particles, double share, std::uint64_t seed,
   std::mt19937_64 generator(seed);
   const std::vector<char> fixed = on_boundary(particles);
   VectorField<D> moves = VectorField<D>::Zero(particles.size(), D);
-  for (Index q = 0; q < particles.size(); ++q) {
+  for (const Index q : in_order<D>(particles)) {
     if (fixed[static_cast<std::size_t>(q)]) continue;
     for (int a = 0; a < D; ++a) moves(q, a) = share * particles.spacings(a) * uniform(generator);
   }

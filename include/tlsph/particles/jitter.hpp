@@ -10,8 +10,9 @@
 namespace tlsph {
 
 /// Inner nodes (those in no boundary face) moved by share·Δ_a·r, r uniform in [−1, 1), per
-/// coordinate. r comes from std::mt19937_64(seed), 53 bits per number, inner nodes in their order,
-/// coordinates in theirs: the same seed gives the same cloud on every machine.
+/// coordinate. r comes from std::mt19937_64(seed), 53 bits per number, inner nodes of cells
+/// by their places (first coordinate first), of clouds in their order, coordinates in theirs: the
+/// same seed gives the same particles on every machine.
 ///
 /// A quadrilateral that would lose its shape (a corner Jacobian ≤ 0.1 of the lattice's, possible
 /// for shares above 0.225) has the moves of its corners halved until it keeps it, so cells stay

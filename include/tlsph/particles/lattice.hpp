@@ -26,7 +26,7 @@ template <int D>
                                            NodePlacement placement = NodePlacement::on_boundary,
                                            const Place& place = {});
 
-/// Nodes row by row, the last coordinate fastest; cells and faces in the same order; cell corners
+/// Nodes row by row, in the order of their LatticeFrame; cells and faces in the same; cell corners
 /// and face ends counter-clockwise (the body to the left of a face).
 ///
 /// The spacing [m] is taken, per direction, to the nearest whole division of the bounding box of

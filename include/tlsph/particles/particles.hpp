@@ -24,17 +24,32 @@ struct LatticeFrame {
   Vector<D> spacing;          ///< Δ per direction [m]
   std::array<int, D> counts;  ///< nodes per direction
 
-  /// Row of the node, the last coordinate fastest: i in 1D, i·n_y + j in 2D.
+  /// Row of the node, along the longer side of the lattice and of equal ones along the last: i in
+  /// 1D; i + n_x j in 2D where n_x > n_y, else i n_y + j. What is equal from node to node then comes
+  /// in few long pieces.
   [[nodiscard]] int index(const std::array<int, D>& coordinates) const {
-    int row = 0;
-    for (std::size_t a = 0; a < D; ++a) row = row * counts[a] + coordinates[a];
-    return row;
+    if constexpr (D == 1)
+      return coordinates[0];
+    else
+      return first_runs() ? coordinates[0] + counts[0] * coordinates[1]
+                          : coordinates[0] * counts[1] + coordinates[1];
   }
   /// Lattice coordinates of a row, the inverse of `index`.
   [[nodiscard]] std::array<int, D> coordinates(int row) const {
-    std::array<int, D> result{};
-    for (std::size_t a = D; a-- > 0; row /= counts[a]) result[a] = row % counts[a];
-    return result;
+    if constexpr (D == 1)
+      return {row};
+    else if (first_runs())
+      return {row % counts[0], row / counts[0]};
+    else
+      return {row / counts[1], row % counts[1]};
+  }
+
+ private:
+  [[nodiscard]] bool first_runs() const {
+    if constexpr (D == 1)
+      return true;
+    else
+      return counts[0] > counts[1];
   }
 };
 

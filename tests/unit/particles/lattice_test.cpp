@@ -75,14 +75,16 @@ TEST(Lattice, CellCentredSquareOfOneCellGathersAllFourFaces) {
   EXPECT_EQ(cell.B.row(0).norm(), 0.0);
 }
 
-TEST(Lattice, NodesRunRowByRowWithYFastest) {
+TEST(Lattice, NodesRunAlongTheLongerSideAndAlongYOfEqualOnes) {
+  EXPECT_EQ((LatticeFrame<2>{{0, 0}, {1, 1}, {3, 3}}.index({1, 2})), 1 * 3 + 2);
+  EXPECT_EQ((LatticeFrame<2>{{0, 0}, {1, 1}, {3, 4}}.index({1, 2})), 1 * 4 + 2);
   const auto plate = make_lattice(make_box<2>({0, 0}, {3, 2}), 1.0);
   ASSERT_TRUE(plate.frame.has_value());
   EXPECT_EQ(plate.frame->counts, (std::array<int, 2>{4, 3}));
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 3; ++j) {
       const int row = plate.frame->index({i, j});
-      EXPECT_EQ(row, i * 3 + j);
+      EXPECT_EQ(row, i + 4 * j);
       EXPECT_EQ(plate.frame->coordinates(row), (std::array<int, 2>{i, j}));
       EXPECT_EQ(plate.X(row, 0), i);
       EXPECT_EQ(plate.X(row, 1), j);
@@ -129,7 +131,7 @@ TEST(Lattice, TwoHolesHaveNamesOfTheirOwn) {
                    1.0);
   EXPECT_EQ(body.find("hole")->faces.size(), 8u);
   EXPECT_EQ(body.find("hole1")->faces.size(), 4u);
-  EXPECT_THAT(body.find("hole2")->nodes, ElementsAre(13, 14, 17, 18));
+  EXPECT_THAT(body.find("hole2")->nodes, ElementsAre(9, 10, 15, 16));
   EXPECT_EQ(total_area(*body.find("hole1")).norm(), 0.0);
 }
 
