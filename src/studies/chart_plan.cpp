@@ -95,6 +95,10 @@ ChartPlan plan_chart(const ChartRequest& request) {
           fmt::format("there is no \"{}\"; choose from {}", name, choices<Formulation>()));
   ChartPlan plan;
   plan.scene = read_scene(request.scene, request.overrides);
+  if (!plan.scene.body.cloud.empty())
+    throw InputError(plan.scene.body.cloud_place,
+                     "points of a file have a spacing of their own, and a chart tries many: leave "
+                     "the cloud out, the shape is filled");
   for (const ChartValue& value : request.values) plan.values.push_back(value.name);
   check_value_names(plan.values, plan.scene);
   if (plan.scene.exact != ExactKind::none) {

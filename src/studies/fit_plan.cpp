@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 
 #include "chart_plan.hpp"
 #include "probe_values.hpp"
@@ -29,7 +30,21 @@ constexpr std::array<const char*, 14> chosen = {
 /// Choices of a family that may differ from the defaults of its formulation; kernels differ little.
 constexpr int variety = 1;
 
+/// What a scene says of these is for its run; who sets one beside the scene wants it kept.
+void check_overrides(const std::vector<std::string>& overrides) {
+  for (const std::string& text : overrides) {
+    const std::string key = text.substr(0, text.find('='));
+    for (const std::string_view name : chosen) {
+      if (name == "output" || (key != name && !key.starts_with(fmt::format("{}.", name)))) continue;
+      throw InputError(
+          {"--set " + text, 0, 0, ""},
+          fmt::format("{} is what a fit chooses; leave it out, or run the scene", name));
+    }
+  }
+}
+
 void check(const FitRequest& request, const Scene& scene) {
+  check_overrides(request.overrides);
   if (!(request.error > 0.0 && request.error < 1.0))
     throw InputError(
         {"--error", 0, 0, ""},

@@ -117,6 +117,13 @@ class Fronts(ChartTest):
         self.assertTrue(self.report()["interrupted"])
         self.assertGreater(len(self.report()["points"]), 0)
 
+    def test_cloud_has_a_spacing_of_its_own(self):
+        done = self.tlsph("chart", SOURCE / "examples/pressure_ring.toml", "--value", "inside.displacement_x.max")
+
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("leave the cloud out", done.stderr)
+        self.assertEqual(self.listing(), [])
+
     def test_bad_input(self):
         for arguments, scene, message in (
             ([], FREE, "--value NAME=ANSWER"),

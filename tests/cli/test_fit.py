@@ -99,6 +99,8 @@ class Fits(FitTest):
             (["--error", "0.01", "--value", "tip.cauchy_xx"], "--value"),
             (["--error", "0.01", "--set", "reference.exact=none"], "--value NAME"),
             (["--error", "0.01", "--set", "material.poisson=0.5"], "poisson"),
+            (["--error", "0.01", "--set", "kernel.support=2.5"], "kernel is what a fit chooses"),
+            (["--error", "0.01", "--set", "formulation=variational"], "formulation is what a fit chooses"),
         ):
             with self.subTest(arguments):
                 done = self.fit("scene.toml", *arguments, code=2)
