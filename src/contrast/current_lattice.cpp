@@ -1,17 +1,16 @@
 #include "tlsph/contrast/current_lattice.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "tlsph/linear/krylov.hpp"
-#include "tlsph/particles/particles.hpp"
 
 namespace tlsph {
 
 template <int D>
 CurrentRun<D> current_lattice(const StressedLattice<D>& lattice, const std::array<int, D>& counts,
                               int held) {
-  const LatticeFrame<D> frame{Vector<D>::Zero(), Vector<D>::Constant(lattice.spacing), counts};
   Index N = 1;
   for (const int count : counts) N *= count;
   CurrentRun<D> run;
@@ -21,7 +20,9 @@ CurrentRun<D> current_lattice(const StressedLattice<D>& lattice, const std::arra
   run.state = {0.0, VectorField<D>(N, D), VectorField<D>::Zero(N, D),
                ScalarField::Constant(N, lattice.density), TensorField<D>::Zero(N, D * D)};
   for (Index q = 0; q < N; ++q) {
-    const auto at = frame.coordinates(static_cast<int>(q));
+    std::array<int, D> at{};
+    int row = static_cast<int>(q);
+    for (std::size_t a = D; a-- > 0; row /= counts[a]) at[a] = row % counts[a];
     for (std::size_t a = 0; a < D; ++a) {
       run.state.x(q, static_cast<Index>(a)) = at[a] * lattice.spacing;
       if (at[a] < held || at[a] >= counts[a] - held) run.body.motion.row(q).setZero();
