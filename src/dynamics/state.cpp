@@ -2,15 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 #include <utility>
 
 #include "tlsph/core/error.hpp"
 #include "tlsph/core/parallel.hpp"
+#include "tlsph/dynamics/measures.hpp"
 #include "tlsph/dynamics/stabiliser_forces.hpp"
 #include "tlsph/materials/kinematics.hpp"
 #include "tlsph/materials/uniaxial.hpp"
@@ -36,8 +35,7 @@ void add_terms(const std::vector<SignalTerm>& terms, const std::vector<double>& 
 }
 
 /// P = ∂Ψ/∂F over a region; the sum of all P_11 turns NaN or infinite as soon as one of them does.
-/// A polynomial law stays finite in an inverted body, so its points with det F ≤ 0 add NaN; small
-/// strains know no det F.
+/// A polynomial law stays finite beyond its range, so points there add NaN.
 template <int D>
 double apply_law(const Region<D>& region, const TensorField<D>& H, TensorField<D>& P) {
   return std::visit(
@@ -45,11 +43,8 @@ double apply_law(const Region<D>& region, const TensorField<D>& H, TensorField<D
         const auto at = [&](Index s) {
           const Tensor<D> stress = law.pk1(tensor_at<D>(H, s));
           Eigen::Map<Tensor<D>>(P.data() + s * D * D) = stress;
-          if constexpr (!std::decay_t<decltype(law)>::small_strain) {
-            if (!(volume_change<D>(tensor_at<D>(H, s)) > -1.0))
-              return std::numeric_limits<double>::quiet_NaN();
-          }
-          return stress(0, 0);
+          return law.margin(tensor_at<D>(H, s)) > 0.0 ? stress(0, 0)
+                                                      : std::numeric_limits<double>::quiet_NaN();
         };
         if (region.points.empty()) return sum_rows(H.rows(), at);
         return sum_rows(static_cast<Index>(region.points.size()),
@@ -101,23 +96,34 @@ template <int D>
 void report_failure(const Discretisation<D>& disc, const State<D>& state) {
   Index worst = 0;
   double smallest = std::numeric_limits<double>::infinity();
-  for (Index s = 0; s < state.H.rows(); ++s) {
-    const double J = (Tensor<D>::Identity() + tensor_at<D>(state.H, s)).determinant();
-    if (!std::isfinite(J) || !state.P.row(s).allFinite() || J < smallest) {
-      worst = s;
-      smallest = std::isfinite(J) ? J : smallest;
-      if (!std::isfinite(J)) break;
-    }
-  }
+  const auto look_at = [&](const Region<D>& region, Index s) {
+    const double here = margin<D>(region.law, tensor_at<D>(state.H, s));
+    const bool lost = !std::isfinite(here) || !state.P.row(s).allFinite();
+    if (!std::isfinite(smallest) && smallest < 0.0) return;  // the first one that is lost
+    if (!lost && !(here < smallest)) return;
+    worst = s;
+    smallest = lost ? -std::numeric_limits<double>::infinity() : here;
+  };
+  for (const Region<D>& region : disc.regions)
+    if (region.points.empty())
+      for (Index s = 0; s < state.H.rows(); ++s) look_at(region, s);
+    else
+      for (const int s : region.points) look_at(region, s);
   std::string where;
   for (int a = 0; a < D; ++a)
     where += fmt::format("{}{:.6g}", a == 0 ? "" : ", ", disc.points.X(worst, a));
+  const AnyLaw<D>& law = disc.regions[region_of<D>(disc, worst)].law;
+  const Tensor<D> H = tensor_at<D>(state.H, worst);
+  const double J = 1 + volume_change<D>(H);
+  const bool beyond = J > 0.0 && !(margin<D>(law, H) > 0.0);
   throw NumericalError(
-      fmt::format(
-          "deformation lost at t = {:.6e} s, step {}: material point {} at ({}) m has det F "
-          "= {:.3g} or a stress that is not finite; a smaller time.safety, a finer spacing, "
-          "a stabiliser or a gentler load may help",
-          state.time, state.step, worst, where, smallest),
+      fmt::format("{} at t = {:.6e} s, step {}: material point {} at ({}) m has det F = {:.3g} {}",
+                  beyond ? "the range of the law ended" : "deformation lost", state.time,
+                  state.step, worst, where, J,
+                  beyond
+                      ? fmt::format("and is outside the law's range, {}", range<D>(law))
+                      : "or a stress that is not finite; a smaller time.safety, a finer spacing, "
+                        "a stabiliser or a gentler load may help"),
       state.time, static_cast<long>(worst));
 }
 

@@ -221,7 +221,9 @@ std::optional<Stiffness<D>> stiffness_of(const Discretisation<D>& disc, const St
                                          Index most_stencils) {
   const bool single = storage.gradient_table.weight_single != nullptr ||
                       storage.divergence_table.weight_single != nullptr;
-  if (!disc.linear() || storage.viscous || single || disc.nodes() == 0) return std::nullopt;
+  const bool known = std::ranges::all_of(laws, [](const auto& law) { return law.any == nullptr; });
+  if (!known || !disc.linear() || storage.viscous || single || disc.nodes() == 0)
+    return std::nullopt;
   return Composer<D>(disc, storage, laws, most_stencils).compose();
 }
 

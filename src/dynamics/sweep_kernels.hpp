@@ -112,6 +112,7 @@ struct Kernels {
   void (*differences)(const Table&, Runs, const double* x, Index size, double* out, Index out_base);
   LawKernels linear_elastic;
   LawKernels st_venant_kirchhoff;
+  LawKernels st_venant_kirchhoff_free;  ///< missing directions without stress
   LawKernels neo_hookean;
   LawKernels neo_hookean_free;  ///< missing directions without stress; λ ≥ 0
   /// max ‖H − H₀‖² ‖F⁻¹‖² of `count` points, H₀ = `before`.

@@ -91,11 +91,16 @@ struct LinearElastic {
   }
 };
 
+/// `Free`: the missing directions have no stress, which needs 1 + 2E_33 = 1 − λ tr(E)/μ > 0 with
+/// the reduced λ.
+template <bool Free>
 struct StVenantKirchhoff {
   Real lambda, mu;
   TLSPH_INLINE void operator()(Real& h, Whole& good) const {
     good &= (h > -1.0) & (h < huge);
-    h = (1.0 + h) * (lambda + 2.0 * mu) * (h + 0.5 * h * h);
+    const Real strain = h + 0.5 * h * h;
+    if constexpr (Free) good &= lambda * strain < mu;
+    h = (1.0 + h) * (lambda + 2.0 * mu) * strain;
   }
   TLSPH_INLINE void operator()(Real& h00, Real& h10, Real& h01, Real& h11, Whole& good) const {
     const Real e = h00 + h11 + (h00 * h11 - h01 * h10);
@@ -104,6 +109,7 @@ struct StVenantKirchhoff {
     const Real e11 = h11 + 0.5 * (h01 * h01 + h11 * h11);
     const Real e01 = 0.5 * (h01 + h10 + (h00 * h01 + h10 * h11));
     const Real pressure = lambda * (e00 + e11);
+    if constexpr (Free) good &= pressure < mu;
     const Real s00 = pressure + 2.0 * mu * e00;
     const Real s11 = pressure + 2.0 * mu * e11;
     const Real s01 = 2.0 * mu * e01;

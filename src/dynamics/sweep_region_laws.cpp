@@ -6,39 +6,44 @@
 namespace tlsph::sweep {
 namespace {
 
+template <class Law, template <int, Assumption> class Listed, int D>
+constexpr bool is = std::is_same_v<Law, Listed<D, Assumption::strain>> ||
+                    std::is_same_v<Law, Listed<D, Assumption::stress>>;
+
 template <int D>
 RegionLaw<D> law_of(const AnyLaw<D>& any, const Kernels<D>& kernels) {
   return std::visit(
-      [&](const auto& law) -> RegionLaw<D> {
-        using Law = std::decay_t<decltype(law)>;
-        const LawConstants constants{law.lambda(), law.mu()};
-        if constexpr (Law::name == LinearElastic<D>::name)
-          return {kernels.linear_elastic, constants, nullptr};
-        else if constexpr (Law::name == StVenantKirchhoff<D>::name)
-          return {kernels.st_venant_kirchhoff, constants, nullptr};
-        else if constexpr (std::is_same_v<Law, NeoHookean<D, Assumption::strain>>)
-          return {kernels.neo_hookean, constants, nullptr};
-        else if (law.lambda() >= 0.0)
-          return {kernels.neo_hookean_free, constants, nullptr};
-        else
-          return {{}, constants, &any};
+      [&]<class Law>(const Law& law) -> RegionLaw<D> {
+        if constexpr (is<Law, LinearElastic, D>) {
+          return {kernels.linear_elastic, {law.lambda(), law.mu()}};
+        } else if constexpr (std::is_same_v<Law, StVenantKirchhoff<D, Assumption::strain>>) {
+          return {kernels.st_venant_kirchhoff, {law.lambda(), law.mu()}};
+        } else if constexpr (std::is_same_v<Law, StVenantKirchhoff<D, Assumption::stress>>) {
+          return {kernels.st_venant_kirchhoff_free, {law.lambda(), law.mu()}};
+        } else if constexpr (std::is_same_v<Law, NeoHookean<D, Assumption::strain>>) {
+          return {kernels.neo_hookean, {law.lambda(), law.mu()}};
+        } else if constexpr (std::is_same_v<Law, NeoHookean<D, Assumption::stress>>) {
+          if (law.lambda() >= 0.0) return {kernels.neo_hookean_free, {law.lambda(), law.mu()}};
+        }
+        return {{}, {}, &any};
       },
       any);
 }
 
 template <int D>
 RegionLaw<D> small_strain_law_of(const AnyLaw<D>& any, const Kernels<D>& kernels) {
-  const double lambda = std::visit(
-      [](const auto& law) {
-        using Law = std::decay_t<decltype(law)>;
+  return std::visit(
+      [&]<class Law>(const Law& law) -> RegionLaw<D> {
         if constexpr (std::is_same_v<Law, NeoHookean<D, Assumption::stress>>)
-          return reduced_lambda({law.lambda(), law.mu()}, D, Assumption::stress);
+          return {kernels.linear_elastic,
+                  {reduced_lambda({law.lambda(), law.mu()}, D, Assumption::stress), law.mu()}};
+        else if constexpr (is<Law, LinearElastic, D> || is<Law, StVenantKirchhoff, D> ||
+                           is<Law, NeoHookean, D>)
+          return {kernels.linear_elastic, {law.lambda(), law.mu()}};
         else
-          return law.lambda();
+          return {{}, {}, &any, true};
       },
       any);
-  const double mu = std::visit([](const auto& law) { return law.mu(); }, any);
-  return {kernels.linear_elastic, {lambda, mu}, nullptr};
 }
 
 }  // namespace

@@ -9,12 +9,13 @@
 
 namespace tlsph::sweep {
 
-/// The law of a region: vectorised kernels, or point by point.
+/// The law of a region: vectorised kernels where there are some for its type, or point by point.
 template <int D>
 struct RegionLaw {
   LawKernels kernel;
   LawConstants constants;
   const AnyLaw<D>* any = nullptr;  ///< where there is no kernel
+  bool linearised = false;         ///< that law at H = 0
 };
 
 /// One a region. The discretisation must outlive them. `linearised`: what every law is at H = 0.

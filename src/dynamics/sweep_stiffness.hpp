@@ -46,9 +46,9 @@ struct Stiffness {
   [[nodiscard]] Dependences dependences() const;
 };
 
-/// None where a law is not linear, forces depend on velocities, or rows share so little that there
-/// are more kinds of them than `most_stencils`; and where operators see a translation (rows of G
-/// that do not sum to zero). `laws` are those of the regions.
+/// None where a law is not linear or has no kernel, forces depend on velocities, or rows share so
+/// little that there are more kinds of them than `most_stencils`; and where operators see a
+/// translation (rows of G that do not sum to zero). `laws` are those of the regions.
 template <int D>
 [[nodiscard]] std::optional<Stiffness<D>> stiffness_of(const Discretisation<D>& discretisation,
                                                        const Storage<D>& storage,

@@ -124,8 +124,8 @@ TLSPH_INLINE Tangent<D> tangent_of(const LinearElastic& law, const Gradients<D>&
 }
 
 /// δ_ij S_ab + λ F_ia F_jb + μ (δ_ab (F Fᵀ)_ij + F_ib F_ja).
-template <int D>
-TLSPH_INLINE Tangent<D> tangent_of(const StVenantKirchhoff& law, const Gradients<D>& H) {
+template <int D, bool Free>
+TLSPH_INLINE Tangent<D> tangent_of(const StVenantKirchhoff<Free>& law, const Gradients<D>& H) {
   Tangent<D> A;
   const Real h00 = H.h[0][0];
   if constexpr (D == 1) {

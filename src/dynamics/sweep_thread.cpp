@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-
-#include "tlsph/materials/kinematics.hpp"
+#include <limits>
 
 namespace tlsph::sweep {
 namespace {
@@ -15,7 +14,7 @@ std::size_t bytes(Index doubles) {
 
 /// A law without a kernel, point by point.
 template <int D>
-bool apply_any(const AnyLaw<D>& any, double* const* field, Index first, Index count) {
+bool apply_any(const RegionLaw<D>& region, double* const* field, Index first, Index count) {
   double sum = 0.0;
   std::visit(
       [&](const auto& law) {
@@ -23,15 +22,16 @@ bool apply_any(const AnyLaw<D>& any, double* const* field, Index first, Index co
           Tensor<D> H;
           for (int i = 0; i < D; ++i)
             for (int a = 0; a < D; ++a) H(i, a) = field[a][s * D + i];
-          const Tensor<D> P = law.pk1(H);
+          const Tensor<D> P =
+              region.linearised ? law.dpk1(Tensor<D>::Zero(), H) : Tensor<D>(law.pk1(H));
           sum += P(0, 0);
-          if constexpr (!std::decay_t<decltype(law)>::small_strain)
-            if (!(volume_change<D>(H) > -1.0)) sum = std::numeric_limits<double>::quiet_NaN();
+          if (!region.linearised && !(law.margin(H) > 0.0))
+            sum = std::numeric_limits<double>::quiet_NaN();
           for (int i = 0; i < D; ++i)
             for (int a = 0; a < D; ++a) field[a][s * D + i] = P(i, a);
         }
       },
-      any);
+      *region.any);
   return std::isfinite(sum);
 }
 
@@ -145,7 +145,7 @@ bool Thread<D>::points(const Task& task, Store& store, const StepData<D>& step) 
     double* const* field = store.direction.data();
     if (law.any != nullptr) {
       if (!observed) strain(own);
-      good = apply_any<D>(*law.any, field, first, segment.count) && good;
+      good = apply_any<D>(law, field, first, segment.count) && good;
     } else if (observed) {
       good = law.kernel.law(law.constants, field, first, segment.count) && good;
     } else {

@@ -1,5 +1,7 @@
 #include "tlsph/materials/any_law.hpp"
 
+#include <fmt/format.h>
+
 namespace tlsph {
 
 namespace {
@@ -46,6 +48,31 @@ bool small_strain(const AnyLaw<D>& law) {
   return std::visit([](const auto& held) { return held.small_strain; }, law);
 }
 
+template <int D>
+double margin(const AnyLaw<D>& law, const Tensor<D>& H) {
+  return std::visit([&](const auto& held) { return held.margin(H); }, law);
+}
+
+template <int D>
+std::string range(const AnyLaw<D>& law) {
+  return std::visit(
+      []<class Law>(const Law& held) -> std::string {
+        if constexpr (std::is_same_v<Law, StVenantKirchhoff<D, Assumption::stress>>) {
+          const double stretch = held.largest_uniaxial_stretch();
+          return fmt::format(
+              "det F > 0 and 1 + 2 E_33 > 0, E_33 the strain of the directions free of "
+              "stress{}; \"neo-hookean\" goes further",
+              stretch > 1 ? fmt::format(" (uniaxial stretch below {:.3f})", stretch) : "");
+        } else if constexpr (std::is_same_v<Law, NeoHookean<D, Assumption::stress>>) {
+          return "det F > 0 and, for a negative Poisson's ratio, a transverse stretch free of "
+                 "stress";
+        } else {
+          return "det F > 0";
+        }
+      },
+      law);
+}
+
 template AnyLaw<1> make_law<1>(LawName, Assumption, double, double);
 template AnyLaw<2> make_law<2>(LawName, Assumption, double, double);
 template AnyLaw<3> make_law<3>(LawName, Assumption, double, double);
@@ -61,5 +88,10 @@ template Tangent<3> tangent<3>(const AnyLaw<3>&, const Tensor<3>&);
 template bool small_strain<1>(const AnyLaw<1>&);
 template bool small_strain<2>(const AnyLaw<2>&);
 template bool small_strain<3>(const AnyLaw<3>&);
+template double margin<1>(const AnyLaw<1>&, const Tensor<1>&);
+template double margin<2>(const AnyLaw<2>&, const Tensor<2>&);
+template double margin<3>(const AnyLaw<3>&, const Tensor<3>&);
+template std::string range<1>(const AnyLaw<1>&);
+template std::string range<2>(const AnyLaw<2>&);
 
 }  // namespace tlsph

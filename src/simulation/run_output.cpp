@@ -1,5 +1,6 @@
 #include "run_output.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "tlsph/dynamics/measures.hpp"
@@ -206,6 +207,9 @@ template <int D>
 void RunOutput<D>::write_probes(const Discretisation<D>& disc, const State<D>& state, double dt) {
   probe_row_[0] = state.time;
   probes_->sample(disc, state, dt, std::span(probe_row_).subspan(1));
+  // A step looks at all points, but after the probes.
+  if (!std::ranges::all_of(probe_row_, [](double number) { return std::isfinite(number); }))
+    report_failure<D>(disc, state);
   probe_file_->row(probe_row_);
   if (exact_file_) write_exact(state.time);
 }

@@ -125,8 +125,14 @@ std::array<double, 2> timed(double seconds, const Call& call) {
 /// Multiply-adds of a law at a point, counted in its kernel (dynamics/sweep_laws.hpp), a division
 /// as four.
 double law_work(const MaterialScene& material, int dimension) {
-  if (material.law == LawKind::linear_elastic) return dimension == 1 ? 1.0 : 6.0;
-  if (material.law == LawKind::st_venant_kirchhoff) return dimension == 1 ? 4.0 : 24.0;
+  switch (material.law) {
+    case LawKind::linear_elastic:
+      return dimension == 1 ? 1.0 : 6.0;
+    case LawKind::st_venant_kirchhoff:
+      return dimension == 1 ? 4.0 : 24.0;
+    case LawKind::neo_hookean:
+      break;
+  }
   const double strain = dimension == 1 ? 18.0 : 31.0;  // the logarithm of a small change 10
   constexpr double newton = 2 * 20.0;  // at small strains, for the transverse stretch
   return material.assumption == AssumptionKind::stress ? strain + newton : strain;

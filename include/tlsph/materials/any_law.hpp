@@ -5,11 +5,13 @@
 ///     std::visit([&](const auto& law) { for (…) P = law.pk1(H); }, any_law);
 ///
 /// A new law is one struct, its two lines here, one line in the maker and one entry in the typed
-/// tests.
+/// tests. A caller's own law needs none of them: `GivenLaw` holds it.
 
+#include <string>
 #include <string_view>
 #include <variant>
 
+#include "tlsph/materials/given_law.hpp"
 #include "tlsph/materials/linear_elastic.hpp"
 #include "tlsph/materials/neo_hookean.hpp"
 #include "tlsph/materials/st_venant_kirchhoff.hpp"
@@ -20,7 +22,8 @@ template <int D>
 using AnyLaw =
     std::variant<LinearElastic<D, Assumption::strain>, LinearElastic<D, Assumption::stress>,
                  StVenantKirchhoff<D, Assumption::strain>, StVenantKirchhoff<D, Assumption::stress>,
-                 NeoHookean<D, Assumption::strain>, NeoHookean<D, Assumption::stress>>;
+                 NeoHookean<D, Assumption::strain>, NeoHookean<D, Assumption::stress>,
+                 GivenLaw<D, false>, GivenLaw<D, true>>;
 
 enum class LawName { linear_elastic, st_venant_kirchhoff, neo_hookean };
 
@@ -43,5 +46,11 @@ template <int D>
 /// True for laws that are linear in H, for which det F has no meaning.
 template <int D>
 [[nodiscard]] bool small_strain(const AnyLaw<D>& law);
+/// How far H lies inside the law's range: positive inside, zero, negative or NaN outside.
+template <int D>
+[[nodiscard]] double margin(const AnyLaw<D>& law, const Tensor<D>& H);
+/// The range in words, for messages: "det F > 0", and what else the law asks for.
+template <int D>
+[[nodiscard]] std::string range(const AnyLaw<D>& law);
 
 }  // namespace tlsph

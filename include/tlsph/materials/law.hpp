@@ -10,13 +10,16 @@
 /// Page of the room:
 ///   law.hpp                                          what a law is
 ///   linear_elastic, st_venant_kirchhoff, neo_hookean the laws
+///   given_law.hpp                                    a law of the caller's own
 ///   any_law.hpp                                      the list of them, and the maker
 ///   lame.hpp, waves.hpp                              elastic constants, wave speeds, hyperbolicity
 ///   stress.hpp                                       Cauchy stress, pressure, von Mises
 ///   uniaxial.hpp                                     the inverse P⁻¹(t̄)
 ///
-/// det F ≤ 0: Neo-Hookean functions return NaN there; the other two laws are polynomials, defined
-/// for any H. None of them throws or branches on it: test the state outside the inner loop.
+/// `margin` says where a law ends: at det F ≤ 0, where Neo-Hookean functions return NaN, and for St
+/// Venant–Kirchhoff free of transverse stress at 1 + 2E_33 ≤ 0, though its stress is a polynomial,
+/// finite for any H. None of the functions throws or branches on it: test the state outside the
+/// inner loop.
 
 #include <concepts>
 #include <string_view>
@@ -43,6 +46,7 @@ concept ElasticLaw = requires(const L& law, const Tensor<D>& H) {
   { law.tangent(H) } -> std::same_as<Tangent<D>>;
   { law.transverse_stretch(H) } -> std::same_as<double>;  // F_33, and F_22 in 1D
   { law.transverse_stress(H) } -> std::same_as<double>;   // Cauchy stress there [Pa]
+  { law.margin(H) } -> std::same_as<double>;              // positive inside the law's range
 };
 
 /// The tangent assembled from its action, column (j, b) being the answer to a unit change of F_jb.

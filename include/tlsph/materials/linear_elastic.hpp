@@ -46,6 +46,9 @@ class LinearElastic {
     return A == Assumption::strain ? lambda_ * H.trace() : 0.0;
   }
 
+  /// Always positive: small strains know no det F.
+  [[nodiscard]] double margin(const Tensor<D>&) const { return 1.0; }
+
   /// λ [Pa], reduced where the missing directions are free of stress.
   [[nodiscard]] double lambda() const { return lambda_; }
   /// μ [Pa].

@@ -120,6 +120,14 @@ class NeoHookean {
     return lambda_ * log_volume(e) / (1 + e);
   }
 
+  /// det F; NaN where it is positive and the missing directions cannot be freed of stress, which
+  /// happens for λ < 0 only.
+  [[nodiscard]] double margin(const Tensor<D>& H) const {
+    const double J = 1 + volume_change<D>(H);
+    if (free_directions == 0 || lambda_ >= 0 || !(J > 0)) return J;
+    return J + 0 * transverse_stretch(H);
+  }
+
   /// λ of the three-dimensional law [Pa].
   [[nodiscard]] double lambda() const { return lambda_; }
   /// μ [Pa].

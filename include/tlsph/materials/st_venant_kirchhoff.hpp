@@ -73,7 +73,21 @@ class StVenantKirchhoff {
   /// frees the body of transverse stress any more.
   [[nodiscard]] double transverse_stretch(const Tensor<D>& H) const {
     if constexpr (A == Assumption::strain) return 1.0;
-    return std::sqrt(1 - 2 * transverse_ratio_ * green_lagrange<D>(H).trace());
+    return std::sqrt(transverse_square(H));
+  }
+
+  /// det F, or 1 + 2E_33 where the stress is zero and that is smaller.
+  [[nodiscard]] double margin(const Tensor<D>& H) const {
+    const double J = 1 + volume_change<D>(H);
+    if constexpr (A == Assumption::strain || D == 3) return J;
+    const double square = transverse_square(H);
+    return J < square ? J : square;
+  }
+
+  /// The stretch √(1 + 1/ν) at which uniaxial tension makes 1 + 2E_33 zero.
+  [[nodiscard]] double largest_uniaxial_stretch() const requires(A == Assumption::stress) {
+    const double poisson = D == 1 ? transverse_ratio_ : transverse_ratio_ / (1 + transverse_ratio_);
+    return std::sqrt(1 + 1 / poisson);
   }
 
   /// Cauchy σ_33 = F_33 S_33 F_33/J = λ tr(E)/J, or zero.
@@ -88,6 +102,10 @@ class StVenantKirchhoff {
   [[nodiscard]] double mu() const { return mu_; }
 
  private:
+  /// 1 + 2E_33 where the stress is zero.
+  [[nodiscard]] double transverse_square(const Tensor<D>& H) const {
+    return 1 - 2 * transverse_ratio_ * green_lagrange<D>(H).trace();
+  }
   [[nodiscard]] Tensor<D> stress(const Tensor<D>& E) const {
     return lambda_ * E.trace() * Tensor<D>::Identity() + 2 * mu_ * E;
   }
