@@ -107,37 +107,101 @@ std::size_t entries_until(const TableCurve& curve, double t) {
   return static_cast<std::size_t>(std::distance(curve.time.begin(), after));
 }
 
-double slope(const TableCurve& curve, std::size_t next) {
-  return (curve.value[next] - curve.value[next - 1]) / (curve.time[next] - curve.time[next - 1]);
-}
+// Between entries 0 and 1 with t = t₀ + s Δ:
+//   value = (1−s) y₀ + s y₁ + Δ²/6 [((1−s)³ − (1−s)) y″₀ + (s³ − s) y″₁]
+
+/// A table between the entries next − 1 and next.
+struct Piece {
+  double width, low, high, low_curvature, high_curvature;
+
+  Piece(const TableCurve& curve, std::size_t next)
+      : width(curve.time[next] - curve.time[next - 1]),
+        low(curve.value[next - 1]),
+        high(curve.value[next]),
+        low_curvature(curve.curvature.empty() ? 0.0 : curve.curvature[next - 1]),
+        high_curvature(curve.curvature.empty() ? 0.0 : curve.curvature[next]) {}
+
+  [[nodiscard]] double value(double s) const {
+    const double r = 1 - s;
+    return low + s * (high - low) +
+           width * width / 6 * (r * (r * r - 1) * low_curvature + s * (s * s - 1) * high_curvature);
+  }
+  [[nodiscard]] double rate(double s) const {
+    const double r = 1 - s;
+    return (high - low) / width +
+           width / 6 * ((1 - 3 * r * r) * low_curvature + (3 * s * s - 1) * high_curvature);
+  }
+  /// ∫ value dt from entry 0 to s.
+  [[nodiscard]] double area(double s) const {
+    const double r = 1 - s, r2 = r * r, s2 = s * s;
+    return width * (s * low + 0.5 * s2 * (high - low)) -
+           width * width * width / 24 *
+               ((1 - r2) * (1 - r2) * low_curvature + s2 * (2 - s2) * high_curvature);
+  }
+};
 
 double value_of(const TableCurve& curve, double t) {
   if (curve.time.empty()) return 0.0;
   const std::size_t next = entries_until(curve, t);
   if (next == 0) return curve.value.front();
   if (next == curve.time.size()) return curve.value.back();
-  return curve.value[next - 1] + slope(curve, next) * (t - curve.time[next - 1]);
+  const Piece piece(curve, next);
+  return piece.value((t - curve.time[next - 1]) / piece.width);
 }
 
 double rate_of(const TableCurve& curve, double t) {
   const std::size_t next = entries_until(curve, t);
-  return next == 0 || next == curve.time.size() ? 0.0 : slope(curve, next);
+  if (next == 0 || next == curve.time.size()) return 0.0;
+  const Piece piece(curve, next);
+  return piece.rate((t - curve.time[next - 1]) / piece.width);
+}
+
+/// ∫ value from the first entry to t.
+double area_until(const TableCurve& curve, double t) {
+  if (t < curve.time.front()) return curve.value.front() * (t - curve.time.front());
+  double sum = 0.0;
+  for (std::size_t next = 1; next < curve.time.size() && curve.time[next - 1] <= t; ++next) {
+    const Piece piece(curve, next);
+    if (piece.width > 0.0)
+      sum += piece.area(std::min(1.0, (t - curve.time[next - 1]) / piece.width));
+  }
+  return sum + curve.value.back() * std::max(0.0, t - curve.time.back());
 }
 
 double integral_of(const TableCurve& curve, double t) {
-  // trapezia between 0, the entries in between, and t
-  double sum = 0.0, from = 0.0, at_from = value_of(curve, 0.0);
-  for (std::size_t k = entries_until(curve, 0.0); k < curve.time.size(); ++k) {
-    if (curve.time[k] > t) break;
-    // a jump is two entries at one time: the first ends the trapezium, the second starts the next
-    sum += 0.5 * (at_from + curve.value[k]) * (curve.time[k] - from);
-    from = curve.time[k];
-    at_from = curve.value[k];
+  return curve.time.empty() ? 0.0 : area_until(curve, t) - area_until(curve, 0.0);
+}
+
+/// Curvatures of a natural spline through the entries [first, last]: elimination of
+///   Δ₋ y″₋ + 2 (Δ₋ + Δ₊) y″ + Δ₊ y″₊ = 6 (slope₊ − slope₋),  zero at both ends.
+void fit_spline(TableCurve& curve, std::size_t first, std::size_t last) {
+  std::vector<double> ratio(last - first + 1, 0.0);  // y″ = y″ so far − ratio y″₊
+  const auto width = [&](std::size_t k) { return curve.time[k + 1] - curve.time[k]; };
+  const auto slope = [&](std::size_t k) {
+    return (curve.value[k + 1] - curve.value[k]) / width(k);
+  };
+  for (std::size_t k = first + 1; k < last; ++k) {
+    const double before = width(k - 1), after = width(k);
+    const double pivot = 2 * (before + after) - before * ratio[k - 1 - first];
+    ratio[k - first] = after / pivot;
+    curve.curvature[k] = (6 * (slope(k) - slope(k - 1)) - before * curve.curvature[k - 1]) / pivot;
   }
-  return sum + 0.5 * (at_from + value_of(curve, t)) * (t - from);
+  for (std::size_t k = last; k-- > first + 1;)
+    curve.curvature[k] -= ratio[k - first] * curve.curvature[k + 1];
 }
 
 }  // namespace
+
+TableCurve cubic_spline(TableCurve table) {
+  table.curvature.assign(table.time.size(), 0.0);
+  std::size_t first = 0;
+  for (std::size_t k = 1; k <= table.time.size(); ++k) {
+    if (k < table.time.size() && table.time[k] > table.time[k - 1]) continue;
+    fit_spline(table, first, k - 1);
+    first = k;
+  }
+  return table;
+}
 
 double value(const Curve& curve, double t) {
   if (t < 0) return 0.0;

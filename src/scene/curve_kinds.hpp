@@ -3,6 +3,7 @@
 /// The load curves a scene can name, each with the keys it needs.
 
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "tlsph/curves/curve.hpp"
@@ -15,6 +16,7 @@ struct CurveValues {
   double rise = 0.0;
   double duration = 0.0;
   std::vector<double> time, value;
+  bool cubic = false;
 };
 
 struct CurveKind {
@@ -50,9 +52,9 @@ struct CurveKind {
       {"table",
        {"time", "value"},
        [](Values v) -> Curve {
-         TableCurve curve{v.time, v.value};
+         TableCurve curve{v.time, v.value, {}};
          for (double& x : curve.value) x *= v.amplitude;
-         return curve;
+         return v.cubic ? cubic_spline(std::move(curve)) : curve;
        }},
   };
   return kinds;

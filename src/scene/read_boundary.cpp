@@ -38,26 +38,34 @@ void check_history(const TableView& view, const CurveValues& values) {
                                                           values.time[i], values.time[i - 1]));
 }
 
-CurveShape read_curve_shape(const TableView& view) {
+/// What a curve drives; a motion must be smooth: where its rate jumps, so does the velocity.
+enum class Drives { motion, load };
+
+CurveShape read_curve_shape(const TableView& view, Drives drives) {
   const std::string name = view.text("curve");
   CurveShape shape;
   for (const CurveKind& kind : curve_kinds())
     if (kind.name == name) shape.kind = &kind;
   const auto& needs = shape.kind->needs;
+  const bool table = std::ranges::find(needs, "value") != needs.end();
   for (const Entry& entry : *view.node()->table())
     if (entry.name != "curve" && entry.name != "amplitude" &&
+        !(table && entry.name == "interpolation") &&
         std::find(needs.begin(), needs.end(), entry.name) == needs.end())
       throw InputError(
           entry.place,
           fmt::format("does not belong to a {} curve, which takes {}", name,
                       needs.empty() ? "amplitude only"
-                                    : fmt::format("amplitude, {}", fmt::join(needs, ", "))));
+                                    : fmt::format("amplitude, {}{}", fmt::join(needs, ", "),
+                                                  table ? ", interpolation" : "")));
   for (const auto need : needs) view.require(need);
   shape.values.rise = view.has("rise") ? view.number("rise") : 0.0;
   shape.values.duration = view.has("duration") ? view.number("duration") : 0.0;
   if (const Node* time = view.find("time")) shape.values.time = numbers_of(*time);
   if (const Node* value = view.find("value")) shape.values.value = numbers_of(*value);
   if (view.has("time")) check_history(view, shape.values);
+  shape.values.cubic =
+      view.has("interpolation") ? view.text("interpolation") == "cubic" : drives == Drives::motion;
   return shape;
 }
 
@@ -68,11 +76,11 @@ Node amplitude_of(const TableView& view) {
   return view.require("amplitude");
 }
 
-/// A number or a curve with a number as amplitude.
+/// The motion of a component: a number, or a curve with a number as amplitude.
 Curve read_scalar_curve(const Node& node, const std::string& group) {
   if (node.is_number()) return ConstantCurve{node.number()};
   const TableView view(node, group);
-  const CurveShape shape = read_curve_shape(view);
+  const CurveShape shape = read_curve_shape(view, Drives::motion);
   const Node amplitude = amplitude_of(view);
   if (!amplitude.is_number())
     throw InputError(amplitude.place, "must be a number: the motion of one component");
@@ -89,7 +97,7 @@ void read_traction(const TableView& view, int dimension, BoundaryScene& boundary
   Node amplitude = node;
   if (node.table()) {
     const TableView curve = view.table("traction");
-    shape = read_curve_shape(curve);
+    shape = read_curve_shape(curve, Drives::load);
     amplitude = amplitude_of(curve);
   }
   if (amplitude.is_number()) {

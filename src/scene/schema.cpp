@@ -170,6 +170,10 @@ std::vector<Key> all_keys() {
       {"curve", "duration", number, "", "s", optional, "> 0", "pulse, sine-squared: length"},
       {"curve", "time", numbers, "", "s", optional, "", "table: instants, increasing"},
       {"curve", "value", numbers, "", "", optional, "", "table: the values then"},
+      {"curve", "interpolation", text, "", "", "(of a motion: cubic, of a load: linear)",
+       "linear | cubic",
+       "table: lines between the values, or a natural cubic spline: velocity and acceleration of "
+       "the motion are continuous, but it overshoots where values stop changing"},
 
       {"time", "end", number, "", "s", required, "> 0", "the last step lands on it"},
       {"time", "safety", number, "", "", "0.9", "(0, 1]",

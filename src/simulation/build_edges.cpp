@@ -19,10 +19,12 @@ constexpr std::array<std::array<std::string_view, 2>, 2> edge_names = {
 Curve negated(Curve curve) {
   std::visit(
       [](auto& form) {
-        if constexpr (std::is_same_v<std::decay_t<decltype(form)>, TableCurve>)
+        if constexpr (std::is_same_v<std::decay_t<decltype(form)>, TableCurve>) {
           for (double& v : form.value) v = -v;
-        else
+          for (double& v : form.curvature) v = -v;
+        } else {
           form.amplitude = -form.amplitude;
+        }
       },
       curve);
   return curve;

@@ -37,12 +37,19 @@ struct SineSquaredCurve {
   double duration = 0.0;
 };
 
-/// Piecewise linear through (time, value), constant before the first and after the last entry.
-/// Times do not decrease; two entries at one time are a jump. As many values as times.
+/// Through (time, value), constant before the first and after the last entry. Times do not
+/// decrease; two entries at one time are a jump. As many values as times. Between the entries
+/// linear, or cubic with the second derivatives `curvature` at them.
 struct TableCurve {
   std::vector<double> time;
   std::vector<double> value;
+  std::vector<double> curvature;  ///< empty: linear
 };
+
+/// The table as natural cubic splines, one between every two jumps: value, rate and second
+/// derivative are continuous, and the second derivative is zero at the ends of each. Two entries
+/// are joined by a line.
+[[nodiscard]] TableCurve cubic_spline(TableCurve table);
 
 using Curve = std::variant<ConstantCurve, RampCurve, PulseCurve, SineSquaredCurve, TableCurve>;
 

@@ -73,17 +73,27 @@ TEST_P(CurveForms, NothingHappensBeforeTimeZero) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, CurveForms,
-    testing::Values(Case{"constant", ConstantCurve{-1.5}, {0}, 1},
-                    Case{"ramp", RampCurve{2, 0.4, false}, {0, 0.4}, 1},
-                    Case{"smooth", RampCurve{-2, 0.7, true}, {0, 0.7}, 1},
-                    Case{"step", RampCurve{1, 0, false}, {0}, 1},
-                    Case{"pulse", PulseCurve{-1, 8e-6, 1e-6}, {0}, 20e-6},
-                    Case{"square", PulseCurve{1, 0.5, 0}, {0, 0.5}, 1},
-                    Case{"sine", SineSquaredCurve{1.3, 0.6}, {0, 0.6}, 1},
-                    Case{"table", TableCurve{{0.1, 0.3, 0.6}, {1, -2, 0.5}}, {0, 0.1, 0.3, 0.6}, 1},
-                    Case{"early", TableCurve{{-1, 0.5}, {0, 3}}, {0, 0.5}, 1},
-                    Case{"jump", TableCurve{{0, 0.4, 0.4, 0.8}, {0, 1, 2, 2}}, {0, 0.4, 0.8}, 1},
-                    Case{"single", TableCurve{{0.4}, {0.7}}, {0}, 1}),
+    testing::Values(
+        Case{"constant", ConstantCurve{-1.5}, {0}, 1},
+        Case{"ramp", RampCurve{2, 0.4, false}, {0, 0.4}, 1},
+        Case{"smooth", RampCurve{-2, 0.7, true}, {0, 0.7}, 1},
+        Case{"step", RampCurve{1, 0, false}, {0}, 1},
+        Case{"pulse", PulseCurve{-1, 8e-6, 1e-6}, {0}, 20e-6},
+        Case{"square", PulseCurve{1, 0.5, 0}, {0, 0.5}, 1},
+        Case{"sine", SineSquaredCurve{1.3, 0.6}, {0, 0.6}, 1},
+        Case{"table", TableCurve{{0.1, 0.3, 0.6}, {1, -2, 0.5}, {}}, {0, 0.1, 0.3, 0.6}, 1},
+        Case{"early", TableCurve{{-1, 0.5}, {0, 3}, {}}, {0, 0.5}, 1},
+        Case{"jump", TableCurve{{0, 0.4, 0.4, 0.8}, {0, 1, 2, 2}, {}}, {0, 0.4, 0.8}, 1},
+        Case{"single", TableCurve{{0.4}, {0.7}, {}}, {0}, 1},
+        Case{"spline",
+             cubic_spline({{-0.1, 0.3, 0.45, 0.6}, {1, -2, 0.5, 0}, {}}),
+             {0, 0.3, 0.45, 0.6},
+             1},
+        Case{"late", cubic_spline({{0.3, 0.5, 0.8}, {1, 0, 0.5}, {}}), {0, 0.3, 0.5, 0.8}, 1},
+        Case{"pieces",
+             cubic_spline({{0, 0.2, 0.4, 0.4, 0.6, 0.8}, {0, 1, 1, 2, 0, 3}, {}}),
+             {0, 0.2, 0.4, 0.6, 0.8},
+             1}),
     [](const auto& test) { return test.param.name; });
 
 TEST(CurveByHand, SmoothRampMeetsItsEndsFlat) {
@@ -120,12 +130,54 @@ TEST(CurveByHand, PulseKeepsSmallIntegralsJustAfterTheStart) {
 TEST(CurveByHand, RatesAreRightSidedAtKinks) {
   EXPECT_DOUBLE_EQ(rate(RampCurve{2, 4, false}, 0.0), 0.5);
   EXPECT_EQ(rate(RampCurve{2, 4, false}, 4.0), 0.0);
-  const Curve table = TableCurve{{0, 1, 1, 3}, {0, 2, 5, 1}};
+  const Curve table = TableCurve{{0, 1, 1, 3}, {0, 2, 5, 1}, {}};
   EXPECT_DOUBLE_EQ(rate(table, 0.0), 2.0);
   EXPECT_DOUBLE_EQ(value(table, 1.0), 5.0);
   EXPECT_DOUBLE_EQ(rate(table, 1.0), -2.0);
   EXPECT_EQ(rate(table, 3.0), 0.0);
   EXPECT_DOUBLE_EQ(integral(table, 3.0), 1.0 + 6.0);
+}
+
+/// sin(πt) has no curvature at either end, as the spline.
+TEST(CurveByHand, SplineOfASineIsOfFourthOrderAndTwiceDifferentiable) {
+  const auto error = [](int entries) {
+    TableCurve table;
+    for (int k = 0; k <= entries; ++k) {
+      table.time.push_back(3.0 * k / entries);
+      table.value.push_back(std::sin(std::acos(-1.0) * table.time.back()));
+    }
+    const Curve curve = cubic_spline(table);
+    double largest = 0.0;
+    for (int k = 0; k <= 1000; ++k)
+      largest = std::max(largest,
+                         std::abs(value(curve, 0.003 * k) - std::sin(std::acos(-1.0) * 0.003 * k)));
+    for (int k = 1; k < entries; ++k) {
+      const double t = table.time[static_cast<std::size_t>(k)], step = 1e-4;
+      const double before = (rate(curve, t - step) - rate(curve, t - 2 * step)) / step;
+      const double after = (rate(curve, t + 2 * step) - rate(curve, t + step)) / step;
+      EXPECT_NEAR(rate(curve, t - 1e-12), rate(curve, t), 1e-9) << "t = " << t;
+      EXPECT_NEAR(before, after, 0.1) << "t = " << t;  // of π², third derivatives times 3 steps
+    }
+    return largest;
+  };
+  const double coarse = error(30), fine = error(60);
+  EXPECT_LT(fine, 2e-6);
+  EXPECT_NEAR(std::log2(coarse / fine), 4.0, 0.1);
+}
+
+TEST(CurveByHand, SplineOfTwoEntriesIsALine) {
+  const Curve curve = cubic_spline({{0, 2}, {1, 5}, {}});
+  EXPECT_DOUBLE_EQ(value(curve, 0.5), 2.0);
+  EXPECT_DOUBLE_EQ(rate(curve, 0.0), 2.0);
+}
+
+/// 4 y″ = 6 (0 − 1 − 1): the value in the middle of either half is ½ + y″/6 (⅛ − ½) = 11/16.
+TEST(CurveByHand, SplineOfThreeEntries) {
+  const Curve curve = cubic_spline({{0, 1, 2}, {0, 1, 0}, {}});
+  EXPECT_DOUBLE_EQ(value(curve, 0.5), 0.6875);
+  EXPECT_DOUBLE_EQ(value(curve, 1.5), 0.6875);
+  EXPECT_DOUBLE_EQ(rate(curve, 0.0), 1.5);
+  EXPECT_DOUBLE_EQ(rate(curve, 1.0), 0.0);
 }
 
 TEST(CurveByHand, AnEmptyTableIsZero) {

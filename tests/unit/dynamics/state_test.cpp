@@ -107,7 +107,7 @@ TEST(CentralDifference, AdvancesWithTheNextVelocity) {
 TEST(MakeState, StartsHeldAndMovedParticlesWhereTheyAreToBe) {
   auto disc = cells_of<1>(2);
   test::hold<1>(disc, 0);
-  test::move<1>(disc, 2, TableCurve{{0.0, 1.0}, {0.25, 1.25}});
+  test::move<1>(disc, 2, TableCurve{{0.0, 1.0}, {0.25, 1.25}, {}});
   const VectorField<1> one = VectorField<1>::Ones(3, 1);
 
   const State<1> state = make_state<1>(disc, one, one);

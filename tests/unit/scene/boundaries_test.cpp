@@ -115,6 +115,30 @@ TEST(CurveKey, TableIsScaledByItsAmplitude) {
   EXPECT_THAT(scaled.value, ElementsAre(20, 30));
 }
 
+TEST(CurveKey, TableOfALoadIsLinearUnlessAskedOtherwise) {
+  const std::string table = "curve=\"table\", time=[0, 1, 2], value=[0, 1, 0]";
+
+  EXPECT_TRUE(std::get<TableCurve>(curve(table)).curvature.empty());
+  EXPECT_THAT(std::get<TableCurve>(curve(table + ", interpolation=\"cubic\"")).curvature,
+              ElementsAre(0, -3, 0));
+}
+
+TEST(CurveKey, TableOfAMotionIsCubicUnlessAskedOtherwise) {
+  const auto motion = [](const std::string& rest) {
+    const Scene scene = left_of_sheet(
+        "displacement={x={curve=\"table\", time=[0, 1, 2], value=[0, 1, 0]" + rest + "}}");
+    return std::get<TableCurve>(scene.boundaries.front().motion.front().curve);
+  };
+
+  EXPECT_THAT(motion("").curvature, ElementsAre(0, -3, 0));
+  EXPECT_TRUE(motion(", interpolation=\"linear\"").curvature.empty());
+}
+
+TEST(CurveKey, InterpolationBelongsToTablesOnly) {
+  EXPECT_THROW((void)curve("curve=\"ramp\", amplitude=1, rise=1, interpolation=\"cubic\""),
+               InputError);
+}
+
 // What belongs together on one patch is no contradiction.
 TEST(Conditions, OfDifferentComponentsGoTogether) {
   EXPECT_NO_THROW(left_of_sheet("fixed=\"y\", traction=-5"));
