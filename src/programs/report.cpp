@@ -21,6 +21,7 @@ std::string run_report(const Summary& s, const std::filesystem::path& out) {
         "stress {:.3e}\n",
         s.errors->displacement, s.errors->velocity, s.errors->stress);
   if (s.hyperbolicity_lost) text += s.hyperbolicity_lost->text() + '\n';
+  for (const std::string& warning : s.warnings) text += fmt::format("warning: {}\n", warning);
   if (s.interrupted)
     text += fmt::format("interrupted; the state is saved, --resume goes on from here\n");
   return text + fmt::format("results in {}\n", out.string());

@@ -31,6 +31,13 @@ template <int D>
 void refuse_imbalance(const Scene& scene, const Discretisation<D>& disc,
                       const VectorField<D>& displacement);
 
+/// What is prescribed at t = 0 and is not where or as fast as the body starts, a sentence each with
+/// place, key, amount and the stress that the jump makes.
+template <int D>
+[[nodiscard]] std::vector<std::string> start_jumps(const Scene& scene,
+                                                   const Discretisation<D>& disc,
+                                                   const InitialState<D>& initial);
+
 /// The material entry that rules at X: the last one whose box holds it, else the first, which has
 /// no box.
 template <int D>

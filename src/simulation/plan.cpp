@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "parts.hpp"
 #include "savings.hpp"
 #include "tlsph/dynamics/critical_step.hpp"
 #include "tlsph/dynamics/sweep.hpp"
@@ -63,6 +64,7 @@ template <int D>
 Steps steps_of(const Scene& scene, const Discretisation<D>& disc) {
   InitialState<D> initial = build_initial<D>(scene, disc);
   (void)build_exact<D>(scene, disc);
+  const std::vector<std::string> warnings = parts::start_jumps<D>(scene, disc, initial);
   State<D> state =
       make_state<D>(disc, std::move(initial.displacement), std::move(initial.velocity));
   evaluate<D>(disc, state);
@@ -73,6 +75,7 @@ Steps steps_of(const Scene& scene, const Discretisation<D>& disc) {
       "time step {:.4e} s (critical {:.4e} s = {:.3f} spacings/c_p), {:.0f} steps to "
       "{:.4g} s\n",
       dt, critical.dt, critical.scaled, steps.number, scene.time.end);
+  for (const std::string& warning : warnings) steps.text += fmt::format("warning: {}\n", warning);
   if (critical.growth)
     steps.text += fmt::format("largest growth rate of a free motion {:.2e} c_p/spacing\n",
                               *critical.growth * disc.spacing / disc.wave_speed());

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parts.hpp"
 #include "stopwatch.hpp"
 #include "tlsph/core/parallel.hpp"
 #include "tlsph/dynamics/hyperbolicity.hpp"
@@ -63,6 +64,8 @@ template <int D>
 void RunLoop<D>::run(Summary& summary) {
   const Stopwatch setup;
   InitialState<D> initial = build_initial<D>(scene_, disc_);
+  for (std::string& warning : parts::start_jumps<D>(scene_, disc_, initial))
+    summary.warnings.push_back(std::move(warning));
   state_ = make_state<D>(disc_, std::move(initial.displacement), std::move(initial.velocity));
   evaluate<D>(disc_, state_);
   choose_step(summary);

@@ -85,6 +85,7 @@ std::string Summary::json() const {
     tree.set("consistency", nullptr);
   }
   tree.set_or_null("boundary_solver", boundary_solver);
+  tree.set("warnings", warnings);
   tree.set("interrupted", interrupted);
   tree.set_or_null("failure", failure);
   return tree.dump() + '\n';

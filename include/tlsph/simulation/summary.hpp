@@ -62,9 +62,10 @@ struct Summary {
   /// What is left of the constraints of a corrected gradient, lengths in spacings.
   std::optional<ConsistencyResiduals> consistency;
   std::optional<HyperbolicityLoss> hyperbolicity_lost;  ///< by the material; never by linear laws
-  std::string boundary_solver;  ///< what factorised the modified SPH matrix, empty otherwise
-  std::string failure;          ///< empty when all went well
-  bool interrupted = false;     ///< stopped by a signal, checkpoint written
+  std::string boundary_solver;        ///< what factorised the modified SPH matrix, empty otherwise
+  std::vector<std::string> warnings;  ///< what the user should know before trusting the result
+  std::string failure;                ///< empty when all went well
+  bool interrupted = false;           ///< stopped by a signal, checkpoint written
 
   /// The text of summary.json.
   [[nodiscard]] std::string json() const;
