@@ -18,13 +18,14 @@ double cross(const Vector<D>& x, const Vector<D>& force) {
 }
 
 /// Forces, displacements and velocities by degree of freedom (`slots` nullptr), or those a sweep
-/// gathered, by slot.
+/// gathered, by slot; stresses `P` where reactions are made of them, which no sweep gathers.
 template <int D>
 struct Books {
   const Discretisation<D>& disc;
   const double* f;
   const double* u;
   const double* before;  // velocity at t_{n−½}
+  const double* P;       // all stresses, where reactions are made of them
   const BoundaryForces<D>* slots;
   double time;
   double kick;
@@ -47,6 +48,30 @@ struct Books {
 struct Ways {
   double before = 0.0, after = 0.0;
 };
+
+/// Reactions of constraints from what their nodes lack to their accelerations.
+template <int D, class Next, class Move, class Push>
+void book_constraints(const Books<D>& books, const Next& next, const Move& move, const Push& push) {
+  const Discretisation<D>& disc = books.disc;
+  const std::vector<Index> none;
+  const auto still = [&](const std::vector<Index>& dofs, const std::vector<Index>& list) {
+    for (std::size_t k = 0; k < dofs.size(); ++k) {
+      const Index slot = books.slot(list, k, dofs[k]);
+      push(dofs[k], slot, -books.f[slot]);
+    }
+  };
+  still(disc.constraints.fixed, books.slots == nullptr ? none : books.slots->fixed);
+  still(disc.constraints.held, books.slots == nullptr ? none : books.slots->held);
+  const std::vector<Index>& moved = books.slots == nullptr ? none : books.slots->moved;
+  for (std::size_t k = 0; k < disc.constraints.moved.size(); ++k) {
+    const Index dof = disc.constraints.moved[k].dof;
+    const Index slot = books.slot(moved, k, dof);
+    const double change = next(slot, dof) - books.before[slot];
+    const double reaction = disc.mass[dof / D] * change / books.kick - books.f[slot];
+    move(dof, slot, reaction);
+    push(dof, slot, reaction);
+  }
+}
 
 /// What the forces at t_n do on half of each way, where the velocity is `before(slot, dof)` and
 /// `next(slot, dof)`.
@@ -78,23 +103,12 @@ void book_ways(Ledger<D>& ledger, const Books<D>& books, const Ways& ways, const
       push(load.dof[k], slot, force);
     }
   }
-  const auto still = [&](const std::vector<Index>& dofs, const std::vector<Index>& list) {
-    for (std::size_t k = 0; k < dofs.size(); ++k) {
-      const Index slot = books.slot(list, k, dofs[k]);
-      push(dofs[k], slot, -books.f[slot]);
-    }
-  };
-  still(disc.constraints.fixed, books.slots == nullptr ? none : books.slots->fixed);
-  still(disc.constraints.held, books.slots == nullptr ? none : books.slots->held);
-  const std::vector<Index>& moved = books.slots == nullptr ? none : books.slots->moved;
-  for (std::size_t k = 0; k < disc.constraints.moved.size(); ++k) {
-    const Index dof = disc.constraints.moved[k].dof;
-    const Index slot = books.slot(moved, k, dof);
-    const double change = next(slot, dof) - books.before[slot];
-    const double reaction = disc.mass[dof / D] * change / books.kick - books.f[slot];
-    move(dof, slot, reaction);
-    push(dof, slot, reaction);
+  for (const ReactionTerm& term : disc.reactions) {
+    const double force = term.weight * books.P[term.slot];
+    move(term.dof, term.dof, force);
+    push(term.dof, term.dof, force);
   }
+  if (disc.reactions.empty()) book_constraints(books, next, move, push);
   ledger.external_work += 0.5 * work;
   for (int i = 0; i < D; ++i) ledger.impulse[i] += time * impulse[i];
   ledger.angular_impulse += time * angular;
@@ -147,7 +161,7 @@ BoundaryForces<D>::BoundaryForces(const Discretisation<D>& disc) {
 template <int D>
 void Ledger<D>::arrive(const Discretisation<D>& disc, const State<D>& state, double dt) {
   const double way = state.last_dt;
-  const Books<D> books{disc,    state.f.data(), state.u.data(),   state.v.data(),
+  const Books<D> books{disc,    state.f.data(), state.u.data(),   state.v.data(), state.P.data(),
                        nullptr, state.time,     0.5 * (way + dt), disc.linear()};
   book_ways<D>(
       *this, books, {way, 0.0}, [&](Index, Index dof) { return state.v.data()[dof]; },
@@ -159,13 +173,8 @@ void Ledger<D>::arrive(const Discretisation<D>& disc, const State<D>& state, dou
 
 template <int D>
 void Ledger<D>::depart(const Discretisation<D>& disc, const State<D>& state, double dt) {
-  const Books<D> books{disc,
-                       state.f.data(),
-                       state.u.data(),
-                       state.v.data(),
-                       nullptr,
-                       state.time,
-                       0.5 * (state.last_dt + dt),
+  const Books<D> books{disc,           state.f.data(), state.u.data(), state.v.data(),
+                       state.P.data(), nullptr,        state.time,     0.5 * (state.last_dt + dt),
                        disc.linear()};
   const auto next = [&](Index, Index dof) { return next_velocity<D>(disc, state, dt, dof); };
   book_ways<D>(*this, books, {0.0, dt}, next, next, moment_if_needed<D>(disc, state.u));
@@ -180,7 +189,7 @@ void Ledger<D>::depart(const Discretisation<D>& disc, const State<D>& state, dou
 template <int D>
 void Ledger<D>::book(const Discretisation<D>& disc, const BoundaryForces<D>& forces,
                      const State<D>& after, double time, double way, double dt, bool arrived) {
-  const Books<D> books{disc, forces.f.data(),  forces.u.data(), forces.v.data(), &forces,
+  const Books<D> books{disc, forces.f.data(),  forces.u.data(), forces.v.data(), nullptr, &forces,
                        time, 0.5 * (way + dt), disc.linear()};
   const auto next = [&](Index, Index dof) { return after.v.data()[dof]; };
   const Ways ways{arrived ? 0.0 : way, dt};

@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "parts.hpp"
 
@@ -121,6 +124,7 @@ template <int D>
 void add_conditions(const Scene& scene, Discretisation<D>& disc) {
   const Particles<D>& particles = disc.particles;
   ConstraintList<D> constraints(particles);
+  std::set<std::pair<std::string, int>> booked;  // reactions of these patches and components
   for (const BoundaryScene& boundary : scene.boundaries) {
     const Patch<D>& patch = patch_of<D>(particles, boundary);
     for (const int component : boundary.fixed) constraints.fix(patch, component, boundary);
@@ -134,6 +138,15 @@ void add_conditions(const Scene& scene, Discretisation<D>& disc) {
     }
     for (const ComponentCurve& motion : boundary.motion)
       constraints.move(patch, motion.component, motion.curve, boundary);
+    if (!disc.adjoint) {
+      std::set<int> held(boundary.fixed.begin(), boundary.fixed.end());
+      if (boundary.symmetry) held.insert(normal_axis<D>(patch, boundary.place));
+      for (const ComponentCurve& motion : boundary.motion) held.insert(motion.component);
+      for (const int component : held)
+        if (booked.insert({boundary.where, component}).second)
+          std::ranges::copy(reaction_terms<D>(patch, component),
+                            std::back_inserter(disc.reactions));
+    }
     const bool loaded = boundary.normal_traction || !boundary.traction.empty();
     if (loaded && patch.faces.empty())
       throw InputError(

@@ -32,6 +32,18 @@ struct Load {
   std::vector<double> weight;
 };
 
+/// Where forces are no adjoint of the strains, the force of a support on the body is not what a
+/// node lacks to its acceleration but the stress on the boundary: reaction[dof] += weight ·
+/// P[slot], slot = node·d² + component, weights [m^(d−1)].
+struct ReactionTerm {
+  Index dof = 0;
+  Index slot = 0;
+  double weight = 0.0;
+};
+/// Component i of ∫ P N dA over a patch.
+template <int D>
+[[nodiscard]] std::vector<ReactionTerm> reaction_terms(const Patch<D>& patch, int i);
+
 /// Load of a traction along the outward normal, tension positive.
 template <int D>
 [[nodiscard]] Load normal_traction(const Patch<D>& patch, const Curve& curve);

@@ -52,6 +52,7 @@ struct Discretisation {
   std::vector<Region<D>> regions;  ///< every point in exactly one
 
   Constraints constraints;
+  std::vector<ReactionTerm> reactions;  ///< of all constraints if D is no adjoint, else empty
   std::vector<Load> loads;
   Vector<D> body_force = Vector<D>::Zero();  ///< acceleration [m/s²]
 
