@@ -88,6 +88,10 @@ Division<D> divide(const Box<D>& box, double spacing, const Place& place) {
   return division;
 }
 
+bool divides(const Box<2>& box, double spacing) {
+  return fits<2>(box.upper - box.lower, spacing);
+}
+
 template struct Division<1>;
 template struct Division<2>;
 template Division<1> divide(const Box<1>&, double, const Place&);

@@ -8,11 +8,14 @@
 #include <optional>
 #include <set>
 
+#include "block_fill.hpp"
 #include "quad_mesh.hpp"
 #include "split_outline.hpp"
 #include "tlsph/geometry/region.hpp"
 #include "tlsph/particles/boundary_faces.hpp"
 #include "tlsph/particles/cells.hpp"
+#include "tlsph/particles/division.hpp"
+#include "tlsph/particles/lattice.hpp"
 
 namespace tlsph {
 namespace {
@@ -20,7 +23,9 @@ namespace {
 /// Distance that core nodes keep from the curve, in spacings: the layer is 0.8 to
 /// about 2.2 thick before the smoothing. Of 0.4 … 0.8 this gave the best worst corners.
 constexpr double clearance = 0.8;
-constexpr double least_jacobian_share = 0.1;
+/// Of every cell (`cell_quality`): no corner Jacobian below that share of Δ², nor sine of a corner
+/// below it.
+constexpr double least_quality = 0.1;
 /// Moves that leave at least this share of the lattice's Jacobian are always allowed.
 constexpr double enough_share = 0.6;
 constexpr int smoothing_rounds = 20;
@@ -58,10 +63,9 @@ struct Layer {
   std::set<int> pinned;  ///< those on kinks
 };
 
-/// Joins the core to the curve by one layer of cells. `refuse(x)` throws: a wall that ends at x
-/// without meeting the curve bounds a gap narrower than the layer.
-template <class Refuse>
-Layer add_layer(QuadMesh& mesh, const SplitOutline& boundary, Refuse refuse) {
+/// Joins the core to the curve by one layer of cells; nothing where a wall ends without meeting the
+/// curve: it bounds a gap narrower than the layer.
+std::optional<Layer> add_layer(QuadMesh& mesh, const SplitOutline& boundary) {
   std::vector<DirectedEdge> front;
   std::set<int> wall;  // nodes on straight pieces that stay boundary
   for (const auto& edge : free_edges(mesh.cells)) {
@@ -71,7 +75,7 @@ Layer add_layer(QuadMesh& mesh, const SplitOutline& boundary, Refuse refuse) {
     else
       front.push_back(edge);
   }
-  if (front.empty()) refuse(boundary.box().lower);
+  if (front.empty()) return {};
   std::map<int, int> partner;
   int count = static_cast<int>(mesh.X.rows());
   for (const auto& edge : front)
@@ -84,7 +88,7 @@ Layer add_layer(QuadMesh& mesh, const SplitOutline& boundary, Refuse refuse) {
     const Vector<2> x = mesh.X.row(node).transpose();
     const auto place =
         wall.contains(node) ? boundary.junction(x) : std::optional(boundary.closest_on_curve(x));
-    if (!place) refuse(x);
+    if (!place) return {};
     mesh.X.row(outer) = place->transpose();
     layer.nodes.push_back(outer);
   }
@@ -139,29 +143,75 @@ std::vector<Freedom> freedoms(const QuadMesh& mesh, const SplitOutline& boundary
   return result;
 }
 
-/// An edge of the mesh's boundary that does not run along the shape's: across a gap between two
-/// curves or the root of a part too thin for the lattice.
-std::optional<DirectedEdge> stray_edge(const QuadMesh& mesh, const SplitOutline& boundary) {
-  for (const auto& edge : free_edges(mesh.cells)) {
+/// Does an edge of the mesh's boundary run across a gap between two curves or the root of a part too
+/// thin for the lattice, instead of along the shape's boundary?
+bool has_stray_edge(const QuadMesh& mesh, const SplitOutline& boundary) {
+  return std::ranges::any_of(free_edges(mesh.cells), [&](const DirectedEdge& edge) {
     const Vector<2> a = mesh.X.row(edge[0]).transpose(), b = mesh.X.row(edge[1]).transpose();
-    const double along = boundary.normal(0.5 * (a + b)).dot(face_area(a, b));
-    if (along < 0.5 * (b - a).norm()) return edge;
-  }
-  return {};
+    return boundary.normal(0.5 * (a + b)).dot(face_area(a, b)) < 0.5 * (b - a).norm();
+  });
 }
 
-/// A point of the outline with no boundary node of the mesh within two spacings: its part of the
-/// body has no core cells and is lost.
-std::optional<Vector<2>> forgotten_point(const Particles<2>& particles,
-                                         const SplitOutline& boundary) {
-  const auto& nodes = particles.find("boundary")->nodes;
-  const double far = 4.0 * particles.spacing * particles.spacing;
-  for (const auto& point : boundary.samples(particles.spacing))
-    if (std::none_of(nodes.begin(), nodes.end(), [&](int node) {
-          return (particles.X.row(node).transpose() - point).squaredNorm() <= far;
-        }))
-      return point;
-  return {};
+/// Has a point of the outline no boundary node of the mesh within two spacings: is a part of the
+/// body without core cells lost?
+bool forgets_a_point(const QuadMesh& mesh, const SplitOutline& boundary, double spacing) {
+  std::set<int> nodes;
+  for (const auto& edge : free_edges(mesh.cells)) nodes.insert(edge.begin(), edge.end());
+  return std::ranges::any_of(boundary.samples(spacing), [&](const Vector<2>& point) {
+    return std::ranges::none_of(nodes, [&](int node) {
+      return (mesh.X.row(node).transpose() - point).norm() <= 2.0 * spacing;
+    });
+  });
+}
+
+/// The lattice's own cells up to a layer of others that joins them to the curve; nothing where the
+/// layer does not fit.
+std::optional<QuadMesh> layered(const Particles<2>& lattice, const SplitOutline& boundary) {
+  QuadMesh mesh{lattice.X, core_cells(lattice, boundary)};
+  if (mesh.cells.empty()) return {};
+  const std::optional<Layer> layer = add_layer(mesh, boundary);
+  if (!layer) return {};
+  const double jacobian = lattice.spacings.prod();
+  smooth(mesh, freedoms(mesh, boundary, *layer), smoothing_rounds, enough_share * jacobian,
+         [&](const Vector<2>& x) { return boundary.closest_on_curve(x); });
+  if (has_stray_edge(mesh, boundary) || forgets_a_point(mesh, boundary, lattice.spacing)) return {};
+  for (const auto& cell : mesh.cells)
+    if (cell_quality(mesh.X, cell, lattice.spacing) < least_quality) return {};
+  return mesh;
+}
+
+QuadMesh blocks(const Shape<2>& shape, double spacing, const Place& place) {
+  BlockFill fill = fill_with_blocks(shape, spacing);
+  if (fill.quality < least_quality)
+    throw InputError(
+        place,
+        fmt::format("spacing {:.6g} is too coarse to follow the boundary near ({:.6g}, {:.6g}): "
+                    "the cells there have a quality of {:.2g}, allowed: at least {}; choose a "
+                    "finer spacing, body.layout = \"hexagonal\" or body.fit = false",
+                    spacing, fill.worst.x(), fill.worst.y(), fill.quality, least_quality));
+  return std::move(fill.mesh);
+}
+
+Particles<2> as_particles(QuadMesh mesh, const Shape<2>& shape, double spacing,
+                          const Vector<2>& spacings) {
+  const Box<2> box = bounding_box(shape);
+  mesh = renumbered(mesh, box.lower.x(), spacings.x());
+  Particles<2> particles;
+  particles.spacing = spacing;
+  particles.spacings = spacings;
+  particles.V = node_volumes<2>(mesh.X, mesh.cells);
+  const std::vector<Shape<2>> holes = holes_of(shape);
+  std::vector<LabelledFace<2>> faces;
+  for (const auto& edge : free_edges(mesh.cells)) {
+    const Vector<2> a = mesh.X.row(edge[0]).transpose(), b = mesh.X.row(edge[1]).transpose();
+    faces.push_back(
+        labelled({edge, face_area(a, b)}, {a, b}, box, holes, 1e-8 * spacings.minCoeff()));
+  }
+  particles.patches = make_patches(faces, holes.size());
+  particles.B = lumped_areas<2>(mesh.X.rows(), particles.find("boundary")->faces);
+  particles.X = std::move(mesh.X);
+  particles.cells = std::move(mesh.cells);
+  return particles;
 }
 
 }  // namespace
@@ -171,42 +221,19 @@ Particles<2> fitted(const Particles<2>& lattice, const Shape<2>& shape, const Pl
     throw InputError(place, "only a lattice with nodes on the boundary can be fitted to it");
   const SplitOutline boundary(lattice, shape);
   if (!boundary.has_curve()) return lattice;
-  const auto refuse = [&](const Vector<2>& x) {
-    throw InputError(place, fmt::format("spacing {:.6g} is too coarse to follow the boundary near "
-                                        "({:.6g}, {:.6g}); choose a finer one or leave the lattice "
-                                        "unfitted",
-                                        lattice.spacing, x.x(), x.y()));
-  };
+  std::optional<QuadMesh> mesh = layered(lattice, boundary);
+  if (!mesh) mesh = blocks(shape, lattice.spacing, place);
+  return as_particles(std::move(*mesh), shape, lattice.spacing, lattice.spacings);
+}
 
-  QuadMesh mesh{lattice.X, core_cells(lattice, boundary)};
-  if (mesh.cells.empty()) refuse(cell_centre<2>(lattice.X, lattice.cells.front()));
-  const Layer layer = add_layer(mesh, boundary, refuse);
-  const double jacobian = lattice.spacings.prod();
-  smooth(mesh, freedoms(mesh, boundary, layer), smoothing_rounds, enough_share * jacobian,
-         [&](const Vector<2>& x) { return boundary.closest_on_curve(x); });
-  mesh = renumbered(mesh, boundary.box().lower.x(), lattice.spacings.x());
-  if (const auto edge = stray_edge(mesh, boundary)) refuse(mesh.X.row((*edge)[0]).transpose());
-  for (const auto& cell : mesh.cells)
-    if (least_jacobian<2>(mesh.X, cell) <= least_jacobian_share * jacobian)
-      refuse(cell_centre<2>(mesh.X, cell));
-
-  Particles<2> particles;
-  particles.spacing = lattice.spacing;
-  particles.spacings = lattice.spacings;
-  particles.V = node_volumes<2>(mesh.X, mesh.cells);
-  const std::vector<Shape<2>> holes = holes_of(shape);
-  std::vector<LabelledFace<2>> faces;
-  for (const auto& edge : free_edges(mesh.cells)) {
-    const Vector<2> a = mesh.X.row(edge[0]).transpose(), b = mesh.X.row(edge[1]).transpose();
-    faces.push_back(
-        labelled({edge, face_area(a, b)}, {a, b}, boundary.box(), holes, boundary.tolerance()));
-  }
-  particles.patches = make_patches(faces, holes.size());
-  particles.B = lumped_areas<2>(mesh.X.rows(), particles.find("boundary")->faces);
-  particles.X = std::move(mesh.X);
-  particles.cells = std::move(mesh.cells);
-  if (const auto point = forgotten_point(particles, boundary)) refuse(*point);
-  return particles;
+Particles<2> fitted(const Shape<2>& shape, double spacing, const Place& place) {
+  validate(shape, place);
+  const bool positive = spacing > 0.0 && std::isfinite(spacing);  // else the lattice refuses it
+  if (!positive || std::holds_alternative<Box<2>>(base_of(shape).form) ||
+      divides(bounding_box(shape), spacing))
+    return fitted(make_lattice(shape, spacing, NodePlacement::on_boundary, place), shape, place);
+  return as_particles(blocks(shape, spacing, place), shape, spacing,
+                      Vector<2>::Constant(spacing));
 }
 
 }  // namespace tlsph

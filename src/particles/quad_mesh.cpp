@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 #include <tuple>
 
@@ -120,6 +121,67 @@ void smooth(QuadMesh& mesh, const std::vector<Freedom>& freedom, int rounds, dou
       if (!parting && worst_around(mesh, links.cells[node]) < std::min(worst, enough))
         mesh.X.row(q) = here.transpose();
     }
+}
+
+double cell_quality(const VectorField<2>& X, const Cell<2>& cell, double size) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto here = X.row(cell[k]);
+    const auto e = X.row(cell[(k + 1) % 4]) - here, f = X.row(cell[(k + 3) % 4]) - here;
+    const double jacobian = e(0) * f(1) - e(1) * f(0);
+    least = std::min(
+        least, jacobian / std::max(std::sqrt(e.squaredNorm() * f.squaredNorm()), size * size));
+  }
+  return least;
+}
+
+void improve(QuadMesh& mesh, const std::vector<Track>& tracks, int rounds, double size,
+             double enough) {
+  constexpr double steepness = 10.0;
+  const Links links(mesh);
+  double worst = 0.0;
+  const auto badness = [&](std::size_t node) {
+    double sum = 0.0;
+    worst = 1.0;
+    for (const int cell : links.cells[node]) {
+      const double quality =
+          cell_quality(mesh.X, mesh.cells[static_cast<std::size_t>(cell)], size);
+      worst = std::min(worst, quality);
+      sum += std::exp(-steepness * quality);
+    }
+    return sum;
+  };
+  for (int round = 0; round < rounds; ++round) {
+    bool moved = false;
+    for (std::size_t node = 0; node < tracks.size(); ++node) {
+      if (!tracks[node]) continue;
+      const auto q = static_cast<Index>(node);
+      double least = badness(node);
+      if (worst > enough) continue;
+      const auto attempt = [&](const Vector<2>& target) {
+        const Vector<2> here = mesh.X.row(q).transpose();
+        mesh.X.row(q) = tracks[node](target).transpose();
+        const double now = badness(node);
+        if (now < least * (1.0 - 1e-6)) {
+          least = now;
+          return moved = true;
+        }
+        mesh.X.row(q) = here.transpose();
+        return false;
+      };
+      Vector<2> mean = Vector<2>::Zero();
+      for (const int other : links.neighbours[node]) mean += mesh.X.row(other).transpose();
+      attempt(mean / static_cast<double>(links.neighbours[node].size()));
+      for (double step = 0.25 * size; step > 0.01 * size; step *= 0.5)
+        for (int direction = 0; direction < 8; ++direction) {
+          const double angle = 0.25 * std::numbers::pi * direction;
+          const Vector<2> by = step * Vector<2>(std::cos(angle), std::sin(angle));
+          while (attempt(mesh.X.row(q).transpose() + by)) {
+          }
+        }
+    }
+    if (!moved) return;
+  }
 }
 
 }  // namespace tlsph

@@ -34,4 +34,18 @@ enum class Freedom { none, inner, along_x, along_y, on_curve };
 void smooth(QuadMesh& mesh, const std::vector<Freedom>& freedom, int rounds, double enough,
             const std::function<Vector<2>(const Vector<2>&)>& back);
 
+/// Least of J/max(|e||f|, size²) over the corners, J = e×f the cross product of the edges that meet
+/// there: the sine of the corner for edges as long as `size` [m], less for shorter ones; 1 for a
+/// rectangle no smaller than the size. Positive exactly for strictly convex cells.
+[[nodiscard]] double cell_quality(const VectorField<2>& X, const Cell<2>& cell, double size);
+
+/// Where a node may go while cells are improved: the closest allowed point.
+using Track = std::function<Vector<2>(const Vector<2>&)>;
+
+/// Moves nodes that have a track so that Σ exp(−`steepness` quality) over the cells around each
+/// falls: the worst cells gain most (a smooth form of max min, cf. Freitag and Ollivier-Gooch
+/// 1997). Nodes whose cells are all better than `enough` stay.
+void improve(QuadMesh& mesh, const std::vector<Track>& tracks, int rounds, double size,
+             double enough);
+
 }  // namespace tlsph

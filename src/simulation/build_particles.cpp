@@ -153,14 +153,14 @@ Particles<D> on_lattice(const Scene& scene, const Shape<D>& shape) {
   const double density = body.layout == Layout::hexagonal ? 2.0 / std::numbers::sqrt3 : 1.0;
   require_memory(scene, density * lattice_size_estimate<D>(shape, body.spacing, placement));
   Particles<D> particles;
-  if constexpr (D == 2)
+  if constexpr (D == 2) {
     if (body.layout == Layout::hexagonal)
       particles = hexagonal_lattice(shape, body.spacing, body.spacing_place);
-  if (particles.size() == 0) {
-    particles = make_lattice<D>(shape, body.spacing, placement, body.spacing_place);
-    if constexpr (D == 2)
-      if (body.fit) particles = fitted(particles, shape, body.place);
+    else if (body.fit)
+      particles = fitted(shape, body.spacing, body.spacing_place);
   }
+  if (particles.size() == 0)
+    particles = make_lattice<D>(shape, body.spacing, placement, body.spacing_place);
   if (body.jitter > 0.0)
     particles = jittered<D>(std::move(particles), body.jitter, body.seed, body.place);
   return particles;

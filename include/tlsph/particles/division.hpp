@@ -26,4 +26,7 @@ struct Division {
 template <int D>
 [[nodiscard]] Division<D> divide(const Box<D>& box, double spacing, const Place& place = {});
 
+/// Does that spacing [m] change by no more than 1 % in the nearest whole division of the box?
+[[nodiscard]] bool divides(const Box<2>& box, double spacing);
+
 }  // namespace tlsph

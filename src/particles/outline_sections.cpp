@@ -1,0 +1,197 @@
+#include "outline_sections.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "tlsph/geometry/region.hpp"
+
+namespace tlsph {
+namespace {
+
+/// Points closer than this, in block sizes, are one.
+constexpr double merged = 1e-8;
+/// A smaller turn between two pieces that are both at least `long_piece` block sizes long is a
+/// corner too; between shorter ones, the pieces approximate a curve.
+constexpr double largest_smooth_cosine = 1.0 - 1e-10;
+constexpr double long_piece = 0.75;
+/// Lines between blocks stay that far apart, and the first stop of a section on a line from a
+/// corner that is on none, in block sizes.
+constexpr double least_line_gap = 0.75;
+constexpr double least_rest = 0.5;
+constexpr double largest_sweep = 0.5 * std::numbers::pi;
+constexpr double acute_cosine = 0.5;
+
+bool splits(const OutlinePiece& piece, const OutlinePiece& next, double size) {
+  return is_corner(piece, next) ||
+         (piece.normal(1.0).dot(next.normal(0.0)) < largest_smooth_cosine &&
+          std::min(piece.length(), next.length()) > long_piece * size);
+}
+
+/// The axis that a straight section is normal to; −1 for others.
+int normal_axis(const OutlineSection& section, double tolerance) {
+  if (section.pieces.size() != 1 || section.pieces[0].is_arc()) return -1;
+  for (int a = 0; a < 2; ++a)
+    if (std::abs(section.pieces[0].from(a) - section.pieces[0].to(a)) <= tolerance) return a;
+  return -1;
+}
+
+void push_even(std::vector<double>& stops, double end, double size, double least_count) {
+  const double start = stops.back();
+  const double count = std::max(least_count, std::round((end - start) / size));
+  for (double k = 1.0; k <= count; k += 1.0) stops.push_back(start + (end - start) * k / count);
+  stops.back() = end;
+}
+
+}  // namespace
+
+Vector<2> OutlineSection::at(double distance) const {
+  for (const OutlinePiece& piece : pieces) {
+    const double piece_length = piece.length();
+    if (distance <= piece_length) return piece.at(distance / piece_length);
+    distance -= piece_length;
+  }
+  return pieces.back().to;
+}
+
+Vector<2> OutlineSection::closest(const Vector<2>& x) const {
+  Vector<2> best = pieces.front().from;
+  double least = std::numeric_limits<double>::infinity();
+  for (const OutlinePiece& piece : pieces) {
+    const Vector<2> point = piece.closest(x);
+    if ((point - x).squaredNorm() >= least) continue;
+    least = (point - x).squaredNorm();
+    best = point;
+  }
+  return best;
+}
+
+OutlineSections::OutlineSections(const Shape<2>& shape, double size) : size_(size) {
+  for (const OutlineLoop& loop : outline_loops(shape)) add_loop(loop);
+  choose_lines(shape);
+  for (OutlineSection& section : sections_) {
+    const int a = normal_axis(section, merged * size_);
+    section.on_line = a >= 0 && std::ranges::any_of(lines_[static_cast<std::size_t>(a)],
+                                                    [&](double line) {
+                                                      return std::abs(line - section.at(0.0)(a)) <=
+                                                             merged * size_;
+                                                    });
+    divide(section);
+  }
+  match_acute_corners();
+}
+
+double OutlineSections::distance(const Vector<2>& x, bool off_lines) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const OutlineSection& section : sections_)
+    if (!off_lines || !section.on_line)
+      least = std::min(least, (section.closest(x) - x).squaredNorm());
+  return std::sqrt(least);
+}
+
+void OutlineSections::add_loop(const OutlineLoop& loop) {
+  std::size_t first = loop.size();  // the piece that starts at a corner
+  for (std::size_t k = 0; k < loop.size(); ++k)
+    if (splits(loop[(k + loop.size() - 1) % loop.size()], loop[k], size_)) first = k;
+  const bool closed = first == loop.size();
+  const std::size_t begin = sections_.size();
+  bool starts = true;
+  for (std::size_t k = 0; k < loop.size(); ++k) {
+    const OutlinePiece& piece = loop[(first + k) % loop.size()];
+    if (starts) {
+      sections_.emplace_back();
+      sections_.back().next = sections_.size();
+    }
+    sections_.back().pieces.push_back(piece);
+    sections_.back().length += piece.length();
+    starts = !closed && splits(piece, loop[(first + k + 1) % loop.size()], size_);
+  }
+  sections_.back().next = begin;
+  sections_.back().closed = closed;
+}
+
+void OutlineSections::choose_lines(const Shape<2>& shape) {
+  const Box<2> box = bounding_box(shape);
+  for (int a = 0; a < 2; ++a) {
+    std::vector<std::pair<double, double>> walls;  // length, coordinate
+    for (const OutlineSection& section : sections_)
+      if (normal_axis(section, merged * size_) == a)
+        walls.emplace_back(section.length, section.at(0.0)(a));
+    std::ranges::sort(walls, std::greater<>());
+    std::vector<double> chosen = {box.lower(a), box.upper(a)};
+    for (const auto& [length, line] : walls)
+      if (std::ranges::all_of(chosen, [&, at = line](double other) {
+            return std::abs(other - at) >= least_line_gap * size_;
+          }))
+        chosen.push_back(line);
+    std::ranges::sort(chosen);
+    std::vector<double>& lines = lines_[static_cast<std::size_t>(a)];
+    lines = {chosen.front()};
+    for (std::size_t k = 1; k < chosen.size(); ++k) push_even(lines, chosen[k], size_, 1.0);
+  }
+}
+
+void OutlineSections::divide(OutlineSection& section) const {
+  section.stops = {0.0};
+  if (!section.on_line) {
+    double sweep = 0.0;
+    for (const OutlinePiece& piece : section.pieces) sweep += std::abs(piece.sweep);
+    push_even(section.stops, section.length, size_,
+              std::max({1.0, std::ceil(sweep / largest_sweep - 1e-9), section.closed ? 4.0 : 1.0}));
+    return;
+  }
+  const Vector<2> from = section.at(0.0), to = section.at(section.length);
+  const int along = std::abs(to.x() - from.x()) > std::abs(to.y() - from.y()) ? 0 : 1;
+  const auto& lines = lines_[static_cast<std::size_t>(along)];
+  const auto on_crossing = [&](const Vector<2>& x) {
+    return std::ranges::any_of(
+        lines, [&](double line) { return std::abs(line - x(along)) <= merged * size_; });
+  };
+  const double after = on_crossing(from) ? merged * size_ : least_rest * size_;
+  const double before = section.length - (on_crossing(to) ? merged * size_ : least_rest * size_);
+  for (const double line : lines) {
+    const double distance = std::abs(line - from(along));
+    if ((line - from(along)) * (to(along) - from(along)) > 0.0 && distance > after &&
+        distance < before)
+      section.stops.push_back(distance);
+  }
+  std::ranges::sort(section.stops);
+  section.stops.push_back(section.length);
+}
+
+void OutlineSections::match_acute_corners() {
+  std::vector<std::array<double, 2>> wanted(sections_.size(), {0.0, 0.0});  // at start and end
+  for (std::size_t s = 0; s < sections_.size(); ++s) {
+    const OutlineSection &in = sections_[s], &out = sections_[in.next];
+    if (in.closed || in.next == s) continue;
+    // Tangents, into the corner and out of it: the inner angle is acute if they are nearly opposed
+    // and the boundary turns left.
+    const Vector<2> n = in.pieces.back().normal(1.0), m = out.pieces.front().normal(0.0);
+    if (n.dot(m) > -acute_cosine || n.x() * m.y() - n.y() * m.x() <= 0.0) continue;
+    const double last = in.length - in.stops[in.stops.size() - 2], first = out.stops[1];
+    const bool in_fixed = in.on_line || in.stops.size() == 2;
+    const bool out_fixed = out.on_line || out.stops.size() == 2;
+    if (in_fixed && out_fixed) continue;
+    const double common = in_fixed ? last : out_fixed ? first : 0.5 * (first + last);
+    if (!in_fixed) wanted[s][1] = common;
+    if (!out_fixed) wanted[in.next][0] = common;
+  }
+  for (std::size_t s = 0; s < sections_.size(); ++s) {
+    const auto [first, last] = wanted[s];
+    OutlineSection& section = sections_[s];
+    const double rest = section.length - first - last;
+    if ((first == 0.0 && last == 0.0) || rest < (first > 0.0 && last > 0.0 ? 0.0 : 0.5) * size_)
+      continue;
+    section.stops = {0.0};
+    if (first > 0.0) section.stops.push_back(first);
+    if (rest > least_rest * size_)
+      push_even(section.stops, section.length - last, size_, 1.0);
+    else  // both first edges nearly meet: let them
+      section.stops.back() = section.length * first / (first + last);
+    if (last > 0.0) section.stops.push_back(section.length);
+  }
+}
+
+}  // namespace tlsph
