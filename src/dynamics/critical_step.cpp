@@ -94,10 +94,11 @@ double damped_step(Linearised<D>& linearised, double undamped, double tolerance)
 
 }  // namespace
 
+namespace {
+
 template <int D>
-std::optional<CriticalStep> critical_step_if_any(const Discretisation<D>& disc,
-                                                 const State<D>& state, double tolerance,
-                                                 const Sweep<D>* sweep) {
+std::optional<CriticalStep> estimate(const Discretisation<D>& disc, const State<D>& state,
+                                     double tolerance, const Sweep<D>* sweep) {
   Linearised<D> linearised(disc, state, sweep);
   CriticalStep result;
   if (disc.adjoint) {
@@ -116,6 +117,7 @@ std::optional<CriticalStep> critical_step_if_any(const Discretisation<D>& disc,
       largest_modulus = std::max(largest_modulus, std::abs(lambda));
       growth = std::max(growth, std::abs(std::sqrt(-lambda).real()));
     }
+    if (!(largest_modulus > 0.0)) return std::nullopt;
     result.dt = 2.0 / std::sqrt(largest_modulus);
     result.growth = growth;
   }
@@ -123,10 +125,23 @@ std::optional<CriticalStep> critical_step_if_any(const Discretisation<D>& disc,
   return result;
 }
 
+}  // namespace
+
+template <int D>
+std::optional<CriticalStep> critical_step_if_any(const Discretisation<D>& disc,
+                                                 const State<D>& state, double tolerance,
+                                                 const Sweep<D>* sweep) {
+  try {
+    return estimate<D>(disc, state, tolerance, sweep);
+  } catch (const NumericalError& failure) {
+    report_loss<D>(disc, state, failure.what());  // the solver knows no time and no particle
+  }
+}
+
 template <int D>
 CriticalStep critical_step(const Discretisation<D>& disc, const State<D>& state) {
   if (const auto result = critical_step_if_any<D>(disc, state)) return *result;
-  throw NumericalError("the body has no stiffness: no critical time step exists", state.time, -1);
+  report_loss<D>(disc, state, "the body has no stiffness, and no critical time step,");
 }
 
 template std::optional<CriticalStep> critical_step_if_any<1>(const Discretisation<1>&,

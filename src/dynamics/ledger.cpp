@@ -227,10 +227,11 @@ Balance<D> balance(const Discretisation<D>& disc, const State<D>& state, double 
     Vector<D> now;
     for (int i = 0; i < D; ++i) {
       const Index dof = q * D + i;
-      const double before = state.v.data()[dof];
-      const double after = next_velocity<D>(disc, state, dt, dof);
-      result.kinetic += 0.5 * m * before * after;
-      now[i] = 0.5 * (before + after);
+      const NodalMotion motion = motion_of<D>(disc, state, dt, dof);
+      const double change = 0.5 * state.last_dt * motion.acceleration;
+      now[i] = motion.velocity;
+      result.kinetic += 0.5 * m * (now[i] - change) * (now[i] + change);
+      result.ripple += 0.5 * m * change * change;
     }
     const Vector<D> p = m * now;
     Vector<D> x = disc.particles.X.row(q).transpose();

@@ -90,7 +90,34 @@ void forces(const Discretisation<D>& disc, State<D>& state) {
   }
 }
 
+template <int D>
+std::string place_of(const Discretisation<D>& disc, Index point) {
+  std::string where;
+  for (int a = 0; a < D; ++a)
+    where += fmt::format("{}{:.6g}", a == 0 ? "" : ", ", disc.points.X(point, a));
+  return where;
+}
+
 }  // namespace
+
+template <int D>
+void report_loss(const Discretisation<D>& disc, const State<D>& state, const std::string& what) {
+  Index worst = 0;
+  double most = -1.0;
+  for (Index s = 0; s < state.H.rows(); ++s) {
+    const Tensor<D> H = tensor_at<D>(state.H, s);
+    // ‖H‖ where the material is torn, ‖H‖ ‖F⁻¹‖ where it is crushed.
+    const double size = H.norm() * std::max(1.0, (Tensor<D>::Identity() + H).inverse().norm());
+    if (size <= most) continue;
+    worst = s;
+    most = size;
+    if (!std::isfinite(size)) break;
+  }
+  throw NumericalError(
+      fmt::format("{} at t = {:.6e} s, step {}; material point {} at ({}) m is deformed most", what,
+                  state.time, state.step, worst, place_of<D>(disc, worst)),
+      state.time, static_cast<long>(worst));
+}
 
 template <int D>
 void report_failure(const Discretisation<D>& disc, const State<D>& state) {
@@ -109,9 +136,7 @@ void report_failure(const Discretisation<D>& disc, const State<D>& state) {
       for (Index s = 0; s < state.H.rows(); ++s) look_at(region, s);
     else
       for (const int s : region.points) look_at(region, s);
-  std::string where;
-  for (int a = 0; a < D; ++a)
-    where += fmt::format("{}{:.6g}", a == 0 ? "" : ", ", disc.points.X(worst, a));
+  const std::string where = place_of<D>(disc, worst);
   const AnyLaw<D>& law = disc.regions[region_of<D>(disc, worst)].law;
   const Tensor<D> H = tensor_at<D>(state.H, worst);
   const double J = 1 + volume_change<D>(H);
@@ -180,6 +205,14 @@ double next_velocity(const Discretisation<D>& disc, const State<D>& state, doubl
 }
 
 template <int D>
+NodalMotion motion_of(const Discretisation<D>& disc, const State<D>& state, double dt, Index dof) {
+  const double before = state.v.data()[dof];
+  const double after = next_velocity<D>(disc, state, dt, dof);
+  const double acceleration = (after - before) / (0.5 * (state.last_dt + dt));
+  return {before + 0.5 * state.last_dt * acceleration, acceleration};
+}
+
+template <int D>
 void start(const Discretisation<D>& disc, State<D>& state, double dt) {
   state.last_dt = dt;
   state.v -= 0.5 * dt * disc.inverse_mass.cwiseProduct(state.f);
@@ -213,8 +246,10 @@ void advance(const Discretisation<D>& disc, State<D>& state, double dt, double n
   template State<D> make_state<D>(const Discretisation<D>&, VectorField<D>, VectorField<D>);  \
   template void evaluate<D>(const Discretisation<D>&, State<D>&);                             \
   template void report_failure<D>(const Discretisation<D>&, const State<D>&);                 \
+  template void report_loss<D>(const Discretisation<D>&, const State<D>&, const std::string&);  \
   template void evaluate_unchecked<D>(const Discretisation<D>&, State<D>&);                   \
   template double next_velocity<D>(const Discretisation<D>&, const State<D>&, double, Index); \
+  template NodalMotion motion_of<D>(const Discretisation<D>&, const State<D>&, double, Index);  \
   template void start<D>(const Discretisation<D>&, State<D>&, double);                        \
   template void advance<D>(const Discretisation<D>&, State<D>&, double, double);
 TLSPH_INSTANTIATE(1)

@@ -14,18 +14,15 @@ namespace {
 
 /// A look costs a pass over H. Where nothing moves there is one in so many steps.
 constexpr long longest_interval = 32;
-/// What an estimate costs, in steps. It is made when what the bound may have wasted since the last
-/// one comes to that; where it turns out that nothing was wasted, the next one waits twice as long.
+/// What an estimate costs, in steps, and what may be spent on estimates: so much at any time and
+/// this share of the steps.
 constexpr double price_of_estimate = 50.0;
-constexpr double worth_it = 1.1;  ///< times the step
+constexpr double first_credit = 500.0;
+constexpr double credit_a_step = 0.25;
 /// The first one is as good as it can be; those of a state that goes on to change need not be.
 constexpr double tolerance_of_estimate = 1e-2;
 /// Of γ, a factor of what the tangents change.
 constexpr double tolerance_of_gamma = 5e-2;
-/// A relative deformation of this size may have softened the body, which the bound cannot see; it
-/// counts as so much waste.
-constexpr double far = 0.15;
-constexpr double far_waste = 0.25;
 /// No material point deforms by more than this in a step: tangents that are safe at its start must
 /// not be overtaken before its end.
 constexpr double largest_deformation_a_step = 0.1;
@@ -34,12 +31,12 @@ constexpr double largest_deformation_a_step = 0.1;
 constexpr double deformation_share = 0.2;
 constexpr double smallest_deformation = 1e-3;
 /// Every change of the step costs energy that equal steps keep: a step stays while it takes no more
-/// than this share of 1 − safety, and while a longer one would not be much longer.
+/// than this share of 1 − safety, and falls by a notch at least.
 constexpr double kept_share = 0.2;
+constexpr double notch = 0.97;
 /// A run that asks for short steps does so for its accuracy; up to this share of the limit they are
 /// safe all the same.
 constexpr double always_kept = 0.7;
-constexpr double worth_lengthening = 0.9;
 /// Particles this many times as fast as at the last look are a new event.
 constexpr double struck_speed = 2.0;
 /// A body whose particles have moved by so little cannot have used up more of that: nobody looks.
@@ -64,13 +61,13 @@ double largest_row_sum(const VectorOperator<D>& gradient) {
 template <int D>
 StepFollower<D>::StepFollower(const Discretisation<D>& disc, const State<D>& state, double safety)
     : disc_(disc),
-      safety_(safety),
+      safety_(std::max(safety, notch * always_kept)),
+      kept_(std::max(safety + kept_share * (1.0 - safety), always_kept)),
       deformation_(std::max(smallest_deformation, deformation_share * (1.0 - safety))),
       critical_(critical_step<D>(disc, state)),
       first_(critical_.dt),
       limit_(first_),
       step_(safety * first_),
-      price_(price_of_estimate),
       watch_(std::make_unique<sweep::StrainWatch<D>>(disc)),
       H_estimate_(watch_->strains(state)),
       H_check_(H_estimate_),
@@ -143,9 +140,18 @@ double StepFollower<D>::bound(const State<D>& state) const {
          share_of_estimate(gamma * watch_->stiffening(state, H_estimate_));
 }
 
-/// A body that has softened may stiffen again faster than it is looked at (beyond the limit of
-/// hyperbolicity of its law, nothing limits the step one moment and the first one does the next),
-/// so no step is longer than the first.
+template <int D>
+std::vector<float> StepFollower<D>::strains(const State<D>& state) const {
+  return watch_->strains(state);
+}
+
+template <int D>
+double StepFollower<D>::deformation(const State<D>& state, const std::vector<float>& before) const {
+  return watch_->deformation(state, before);
+}
+
+/// Beyond the limit of hyperbolicity of its law, nothing limits the step of a body one moment and
+/// the first estimate does the next.
 template <int D>
 void StepFollower<D>::estimate(State<D>& state) {
   ++estimates_;
@@ -162,17 +168,17 @@ void StepFollower<D>::check(State<D>& state) {
   ++bounds_;
   if (gamma_ == 0.0) gamma_ = unit_stiffness();  // a body that hardly deforms never asks
   const auto change = watch_->change(state, H_estimate_, H_check_);
-  const double share = share_of_estimate(gamma_ * change.stiffening);
-  limit_ = std::min(critical_.dt, first_) * share;
-  waste_a_step_ = std::max(1.0 / share - 1.0, change.deformation > far ? far_waste : 0.0);
-  if (waste_ > price_) {
-    const double before = limit_;
-    estimate(state);
-    price_ = limit_ > worth_it * before ? std::max(0.5 * price_, price_of_estimate) : 2.0 * price_;
-    waste_ = 0.0;
-    waste_a_step_ = 0.0;
-  }
+  limit_ = std::min(critical_.dt, first_) * share_of_estimate(gamma_ * change.stiffening);
   change_ = 0.0;
+  if (step_ <= kept_ * limit_) return;
+  const double credit = first_credit + credit_a_step * static_cast<double>(state.step);
+  if (price_of_estimate * static_cast<double>(estimates_) <= credit) estimate(state);
+  if (step_ > kept_ * limit_) fall_to(safety_ * limit_);
+}
+
+template <int D>
+void StepFollower<D>::fall_to(double step) {
+  if (step < step_) step_ = std::min(step, notch * step_);
 }
 
 /// |ΔH| ≤ Σ_q |w_sq| max |Δu|, over all directions.
@@ -194,13 +200,9 @@ bool StepFollower<D>::follow(State<D>& state) {
   const long quiet = std::max(1L, state.step - last_look_);
   const double rate = std::max(change - change_, 0.0) / static_cast<double>(quiet);
   change_ = change;
-  waste_ += waste_a_step_ * static_cast<double>(quiet);
-  if (change >= 0.5 * deformation_ || waste_ > price_) check(state);
   const double before = step_;
-  const double kept = std::max(safety_ + kept_share * (1.0 - safety_), always_kept);
-  const bool near_enough = step_ <= kept * limit_ && step_ >= worth_lengthening * safety_ * limit_;
-  if (!near_enough) step_ = safety_ * limit_;
-  if (rate > 0.0) step_ = std::min(step_, state.last_dt * largest_deformation_a_step / rate);
+  if (change >= 0.5 * deformation_) check(state);
+  if (rate > 0.0) fall_to(state.last_dt * largest_deformation_a_step / rate);
   // Until half the allowance is used up, and not much longer than it has been quiet.
   const double wanted = rate > 0.0 ? 0.5 * deformation_ / rate : 1e9;
   const long interval = std::clamp(static_cast<long>(std::min(wanted, 1e6)), 1L,
@@ -220,9 +222,6 @@ std::vector<double> StepFollower<D>::numbers() const {
           limit_,
           step_,
           change_,
-          price_,
-          waste_,
-          waste_a_step_,
           static_cast<double>(last_look_),
           static_cast<double>(next_look_),
           path_known_ ? 1.0 : 0.0,
@@ -246,18 +245,15 @@ void StepFollower<D>::restore(const std::vector<double>& n, const std::vector<do
   limit_ = n.at(5);
   step_ = n.at(6);
   change_ = n.at(7);
-  price_ = n.at(8);
-  waste_ = n.at(9);
-  waste_a_step_ = n.at(10);
-  last_look_ = static_cast<long>(n.at(11));
-  next_look_ = static_cast<long>(n.at(12));
-  path_known_ = n.at(13) != 0.0;
-  path_ = n.at(14);
-  last_path_ = n.at(15);
-  path_at_look_ = n.at(16);
-  looks_ = static_cast<long>(n.at(17));
-  bounds_ = static_cast<long>(n.at(18));
-  estimates_ = static_cast<long>(n.at(19));
+  last_look_ = static_cast<long>(n.at(8));
+  next_look_ = static_cast<long>(n.at(9));
+  path_known_ = n.at(10) != 0.0;
+  path_ = n.at(11);
+  last_path_ = n.at(12);
+  path_at_look_ = n.at(13);
+  looks_ = static_cast<long>(n.at(14));
+  bounds_ = static_cast<long>(n.at(15));
+  estimates_ = static_cast<long>(n.at(16));
   const auto take = [](const std::vector<double>& from, std::vector<float>& to) {
     if (from.size() != to.size()) throw std::invalid_argument("strains of another body");
     std::ranges::transform(from, to.begin(), [](double h) { return static_cast<float>(h); });

@@ -29,6 +29,29 @@ double stiffening_of(const AnyLaw<D>& law, Index count, const Directions& H, con
   return end;
 }
 
+/// H of the stretch, U − 1 with F = R U, in the place of H: A(R U) has the eigenvalues of A(U), so
+/// a body that turns has not deformed.
+template <int D>
+void remove_rotation(Index count, double* const* H) {
+  if constexpr (D == 2)
+    for (Index s = 0; s < count; ++s) {
+      double* x = H[0] + 2 * s;  // F_11 − 1, F_21
+      double* y = H[1] + 2 * s;  // F_12, F_22 − 1
+      const double p = 2.0 + x[0] + y[1];
+      const double q = x[1] - y[0];
+      const double r = std::sqrt(p * p + q * q);
+      if (!(r > 0.0)) continue;
+      const double c = p / r;
+      const double n = q / r;
+      const double F11 = 1.0 + x[0];
+      const double F22 = 1.0 + y[1];
+      const double off = c * y[0] + n * F22;
+      x[0] = c * F11 + n * x[1] - 1.0;
+      y[1] = c * F22 - n * y[0] - 1.0;
+      x[1] = y[0] = off;
+    }
+}
+
 }  // namespace
 
 template <int D>
@@ -62,17 +85,18 @@ void StrainWatch<D>::read_by(const Sweep<D>& sweep) {
 template <int D>
 void StrainWatch<D>::read(Index block, const State<D>& state, double* const* H) const {
   const Index first = block * block_rows;
+  const Index count = std::min(block_rows, points_ - first);
   if (storage_ != nullptr) {
     const auto b = static_cast<std::size_t>(block);
     (storage_->modes ? kernels_.gradient_and_modes : kernels_.gradient)(
         storage_->gradient_table, {runs_.data() + first_run_[b], first_run_[b + 1] - first_run_[b]},
         state.u.data(), state.u.size(), {H, first});
-    return;
+  } else {
+    for (Index s = 0; s < count; ++s)
+      for (int i = 0; i < D; ++i)
+        for (int a = 0; a < D; ++a) H[a][s * D + i] = state.H(first + s, i * D + a);
   }
-  const Index count = std::min(block_rows, points_ - first);
-  for (Index s = 0; s < count; ++s)
-    for (int i = 0; i < D; ++i)
-      for (int a = 0; a < D; ++a) H[a][s * D + i] = state.H(first + s, i * D + a);
+  remove_rotation<D>(count, H);
 }
 
 /// Maxima do not depend on the order, nor on the number of threads.

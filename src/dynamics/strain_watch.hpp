@@ -1,7 +1,7 @@
 #pragma once
 /// \file
 /// What the step of a deforming body wants to know of its strains, in passes over blocks of points
-/// whose displacement gradients never leave the cache. Not for other rooms.
+/// whose strains never leave the cache. Not for other rooms.
 
 #include <array>
 #include <memory>
@@ -14,8 +14,8 @@
 
 namespace tlsph::sweep {
 
-/// Displacement gradients of all material points, by direction: H_a = ∂u/∂X_a, interleaved, at
-/// a·points·D. In single precision: what is asked for is how far a body is from them, in
+/// Stretches of all material points, rotation removed: U − 1 with F = R U, by direction: its columns,
+/// interleaved, at a·points·D. In single precision: what is asked for is how far a body is from them, in
 /// thousandths at the finest, and a look costs little more than reading them.
 using StrainField = std::vector<float>;
 
@@ -33,9 +33,9 @@ class StrainWatch {
 
   [[nodiscard]] StrainField strains(const State<D>& state);
   void store(const State<D>& state, StrainField& to);
-  /// max ‖H − H₀‖ ‖F⁻¹‖, the largest relative deformation of a point between two states.
+  /// max ‖U − U₀‖ ‖U⁻¹‖, the largest relative deformation of a point between two states.
   [[nodiscard]] double deformation(const State<D>& state, const StrainField& before);
-  /// max λ_max(A(H) − A(H₀)), at most that and at least zero [Pa].
+  /// max λ_max(A(U) − A(U₀)), at most that and at least zero [Pa].
   [[nodiscard]] double stiffening(const State<D>& state, const StrainField& before);
 
   struct Change {

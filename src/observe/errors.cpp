@@ -32,10 +32,7 @@ RelativeErrors errors_against(const ExactSolution<D>& exact, const Discretisatio
     const Vector<D> X = disc.particles.X.row(q).transpose();
     const Vector<D> u = state.u.row(q).transpose();
     Vector<D> v;
-    for (int i = 0; i < D; ++i) {
-      const Index dof = q * D + i;
-      v[i] = 0.5 * (state.v.data()[dof] + next_velocity<D>(disc, state, dt, dof));
-    }
+    for (int i = 0; i < D; ++i) v[i] = motion_of<D>(disc, state, dt, q * D + i).velocity;
     displacement.add(disc.particles.V[q], u, exact.displacement(X, state.time));
     velocity.add(disc.particles.V[q], v, exact.velocity(X, state.time));
   }

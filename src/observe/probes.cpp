@@ -69,7 +69,6 @@ template <int D>
 void Probes<D>::sample(const Discretisation<D>& disc, const State<D>& state, double dt,
                        std::span<double> row) const {
   std::size_t out = 0;
-  const double kick = 0.5 * (state.last_dt + dt);
   for (const Probe& probe : probes_) {
     Vector<D> u = Vector<D>::Zero();
     Vector<D> v = Vector<D>::Zero();
@@ -77,11 +76,10 @@ void Probes<D>::sample(const Discretisation<D>& disc, const State<D>& state, dou
     for (std::size_t k = 0; k < probe.nodes.node.size(); ++k)
       for (int i = 0; i < D; ++i) {
         const Index dof = probe.nodes.node[k] * D + i;
-        const double before = state.v.data()[dof];
-        const double after = next_velocity<D>(disc, state, dt, dof);
+        const NodalMotion motion = motion_of<D>(disc, state, dt, dof);
         u[i] += probe.nodes.weight[k] * state.u.data()[dof];
-        v[i] += probe.nodes.weight[k] * 0.5 * (before + after);
-        a[i] += probe.nodes.weight[k] * (after - before) / kick;
+        v[i] += probe.nodes.weight[k] * motion.velocity;
+        a[i] += probe.nodes.weight[k] * motion.acceleration;
       }
     Tensor<D> H = Tensor<D>::Zero();
     Tensor<D> P = Tensor<D>::Zero();

@@ -5,6 +5,12 @@
 #include <algorithm>
 
 namespace tlsph {
+namespace {
+
+/// A run whose energy drifts further says so.
+constexpr double tolerated_drift = 0.01;
+
+}  // namespace
 
 std::string run_report(const Summary& s, const std::filesystem::path& out) {
   std::string text = fmt::format("{} particles, {} material points, {} in {}D, kernel {}\n",
@@ -15,6 +21,11 @@ std::string run_report(const Summary& s, const std::filesystem::path& out) {
       fmt::format("{:.3g} s stepping on {} thread{}, {:.3g} ns per particle and step\n",
                   s.wall_stepping, s.threads, s.threads == 1 ? "" : "s", s.ns_per_particle_step);
   text += fmt::format("energy drift {:.1e} of the largest energy\n", s.energy.drift_relative);
+  if (s.energy.drift_relative > tolerated_drift)
+    text += fmt::format(
+        "warning: the energy left its balance by {:.2g} % of the largest energy; a smaller "
+        "time.safety shows what it owes to the step, time.energy_tolerance ends such runs\n",
+        100.0 * s.energy.drift_relative);
   if (s.errors)
     text += fmt::format(
         "errors against the exact solution: displacement {:.3e}, velocity {:.3e}, "

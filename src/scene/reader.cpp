@@ -46,6 +46,10 @@ TimeScene read_time(const TableView& view) {
   time.end = view.number("end");
   time.safety = view.number("safety");
   if (view.has("step")) time.step = view.number("step");
+  time.allow_unstable = view.flag("allow_unstable");
+  if (view.has("energy_tolerance")) time.energy_tolerance = view.number("energy_tolerance");
+  time.end_place = view.place_of("end");
+  time.step_place = view.place_of("step");
   if (time.step && *time.step > time.end)
     throw InputError(view.place_of("step"),
                      fmt::format("must not exceed time.end, {} s", time.end));

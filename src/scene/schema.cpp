@@ -177,8 +177,16 @@ std::vector<Key> all_keys() {
 
       {"time", "end", number, "", "s", required, "> 0", "the last step lands on it"},
       {"time", "safety", number, "", "", "0.9", "(0, 1]",
-       "share of the computed critical step, which follows large strains below its first value"},
-      {"time", "step", number, "", "s", "(safety x critical step)", "> 0", "instead of safety"},
+       "share of the computed critical step; where large strains stiffen the body, the step falls "
+       "below its first value and stays there"},
+      {"time", "step", number, "", "s", "(safety x critical step)", "> 0",
+       "instead of safety; the same from start to end. Refused where it exceeds the critical step "
+       "at the start by more than 0.5 %"},
+      {"time", "allow_unstable", flag, "", "", "false", "",
+       "takes a step above the critical one, to see what grows: the run ends where it does"},
+      {"time", "energy_tolerance", number, "", "", optional, "> 0",
+       "ends the run where its energy leaves its balance by more than this share of the largest "
+       "energy; without it, 1 % and more are reported at the end"},
 
       {"probe", "name", text, "", "", "(p1, p2, …)", "", "its columns are name.quantity"},
       {"probe", "at", numbers, "", "m", required, "", "reference position, inside the body"},

@@ -3,7 +3,9 @@
 /// Time steps that land on the end: a segment of equal steps, replaced when the critical step
 /// changes.
 
+#include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace tlsph {
 
@@ -14,13 +16,18 @@ struct Clock {
   double end = 0.0;    ///< of the run [s]
   double dt = 0.0;     ///< [s]
 
-  /// Steps of at most `limit` from (time, step) to `end`.
+  /// Beyond it steps that are counted in double precision are no integers any more.
+  static constexpr double most_count = 9e15;
+
+  /// Steps of at most `limit` from (time, step) to `end`. std::invalid_argument if they are more.
   static Clock from(double time, long step, double end, double limit) {
     Clock clock;
     clock.start = time;
     clock.first = step;
     clock.end = end;
-    clock.count = std::max(1L, static_cast<long>(std::ceil((end - time) / limit * (1.0 - 1e-12))));
+    const double count = std::ceil((end - time) / limit * (1.0 - 1e-12));
+    if (!(count < most_count)) throw std::invalid_argument("more steps than can be counted");
+    clock.count = std::max(1L, static_cast<long>(count));
     clock.dt = (end - time) / static_cast<double>(clock.count);
     return clock;
   }

@@ -3,6 +3,7 @@
 /// The parts `build` is made of; not for other rooms.
 
 #include "tlsph/boundary/extension.hpp"
+#include "tlsph/dynamics/critical_step.hpp"
 #include "tlsph/simulation/builder.hpp"
 
 namespace tlsph::parts {
@@ -37,6 +38,11 @@ template <int D>
 [[nodiscard]] std::vector<std::string> start_jumps(const Scene& scene,
                                                    const Discretisation<D>& disc,
                                                    const InitialState<D>& initial);
+
+/// The step a run of the scene starts with [s]: time.step, or its share of the critical step at the
+/// start. InputError for a time.step beyond what is stable, unless the scene allows it, and for more
+/// steps than a run could make.
+[[nodiscard]] double chosen_step(const Scene& scene, const CriticalStep& critical);
 
 /// The material entry that rules at X: the last one whose box holds it, else the first, which has
 /// no box.

@@ -69,7 +69,7 @@ Steps steps_of(const Scene& scene, const Discretisation<D>& disc) {
       make_state<D>(disc, std::move(initial.displacement), std::move(initial.velocity));
   evaluate<D>(disc, state);
   const CriticalStep critical = critical_step<D>(disc, state);
-  const double dt = scene.time.step.value_or(scene.time.safety * critical.dt);
+  const double dt = parts::chosen_step(scene, critical);
   Steps steps{"", critical.dt, std::ceil(scene.time.end / dt)};
   steps.text = fmt::format(
       "time step {:.4e} s (critical {:.4e} s = {:.3f} spacings/c_p), {:.0f} steps to "

@@ -13,7 +13,7 @@ namespace {
 
 /// Doubles of a run that are no fields, in the order in which a checkpoint holds them.
 template <int D>
-constexpr std::size_t numbers = 16 + 2 * D;
+constexpr std::size_t numbers = 19 + 2 * D;
 
 std::span<const double> flat(const auto& matrix) {
   return {matrix.data(), static_cast<std::size_t>(matrix.size())};
@@ -60,7 +60,7 @@ void require_own(const Checkpoint& checkpoint, const Scene& scene, const Particl
 
 template <int D>
 bool RunLoop<D>::checkpoint_due() const {
-  if (!output_ || state_.step == 0) return false;
+  if (!output_ || state_.step == 0 || growing_ > 0) return false;
   if (scene_.output.checkpoint_steps > 0) return state_.step % scene_.output.checkpoint_steps == 0;
   return state_.step % 16 == 0 && Stopwatch::now() - last_checkpoint_ > scene_.output.checkpoint;
 }
@@ -90,7 +90,10 @@ void RunLoop<D>::save_checkpoint() {
                                 drift_,
                                 first_angular_,
                                 momentum_scale_,
-                                angular_scale_};
+                                angular_scale_,
+                                energy_scale_,
+                                speed_,
+                                known_speed_};
   for (int i = 0; i < D; ++i) values.push_back(ledger_.impulse[i]);
   for (int i = 0; i < D; ++i) values.push_back(first_momentum_[i]);
   values.push_back(momentum_drift_);
@@ -145,7 +148,7 @@ void RunLoop<D>::resume_from(const Checkpoint& checkpoint) {
        {&state_.time, &state_.last_dt, &clock_.start, &clock_.end, &clock_.dt, &critical_.dt,
         &critical_.scaled, &ledger_.external_work, &ledger_.dissipated, &ledger_.angular_impulse,
         &first_energy_, &largest_energy_, &drift_, &first_angular_, &momentum_scale_,
-        &angular_scale_})
+        &angular_scale_, &energy_scale_, &speed_, &known_speed_})
     *slot = n[k++];
   for (int i = 0; i < D; ++i) ledger_.impulse[i] = n[k++];
   for (int i = 0; i < D; ++i) first_momentum_[i] = n[k++];

@@ -10,7 +10,6 @@
 #include "parts.hpp"
 #include "stopwatch.hpp"
 #include "tlsph/core/parallel.hpp"
-#include "tlsph/dynamics/hyperbolicity.hpp"
 #include "tlsph/observe/errors.hpp"
 #include "tlsph/scene/names.hpp"
 
@@ -79,6 +78,7 @@ void RunLoop<D>::run(Summary& summary) {
     if (!options_.out.empty())
       output_.emplace(options_.out, scene_, disc_, probes_, exact_, std::nullopt);
     start<D>(disc_, state_, clock_.dt);
+    speed_ = state_.v.cwiseAbs().maxCoeff();
     save_checkpoint();
   }
   summary.wall_setup += setup.seconds();
@@ -102,6 +102,7 @@ void RunLoop<D>::run(Summary& summary) {
       observe();
       if (state_.step == clock_.last()) break;
       step();
+      if (output_) output_->keep_probes();
       // A checkpoint holds a step that is not booked yet: the loop, or a resumed one, does that
       // next.
       if (options_.stop_requested != nullptr && *options_.stop_requested) {
@@ -132,7 +133,8 @@ void RunLoop<D>::run(Summary& summary) {
 /// sweep every step does.
 template <int D>
 void RunLoop<D>::evaluate_for_observers() {
-  evaluated_ = !sweep_ || books_due() || frame_due();
+  if (!sweep_) speed_ = state_.v.cwiseAbs().maxCoeff();
+  evaluated_ = !sweep_ || books_due() || frame_due() || alarmed();
   if (!sweep_) {
     evaluate<D>(disc_, state_);
     if (state_.step > 0) ledger_.arrive(disc_, state_, clock_.dt);
@@ -159,7 +161,8 @@ void RunLoop<D>::step() {
   const double way = state_.last_dt;
   const bool arrived = evaluated_ || state_.step == 0;
   sweep_->step(state_, clock_.dt, next, *forces_);
-  if (follower_) follower_->travelled(clock_.dt * forces_->largest_speed);
+  speed_ = forces_->largest_speed;
+  if (follower_) follower_->travelled(clock_.dt * speed_);
   ledger_.book(disc_, *forces_, state_, time, way, clock_.dt, arrived);
 }
 
@@ -177,7 +180,7 @@ bool RunLoop<D>::probes_due() const {
 template <int D>
 bool RunLoop<D>::frame_due() const {
   const long frames = scene_.output.frames;
-  if (!output_ || next_frame_ > frames) return false;
+  if (!output_ || next_frame_ > frames || growing_ > 0) return false;
   const double frame_time = static_cast<double>(next_frame_) * scene_.time.end /
                             static_cast<double>(std::max(1L, frames));
   return state_.step == clock_.last() || state_.time >= frame_time - 0.5 * clock_.dt;
@@ -185,14 +188,12 @@ bool RunLoop<D>::frame_due() const {
 
 template <int D>
 void RunLoop<D>::observe() {
-  if (books_due()) {
-    sample_books();
-    watch_hyperbolicity();
-  }
+  if (books_due() || frame_due() || alarmed()) sample_books();
+  if (books_due()) watch_hyperbolicity();
   report_progress();
   if (!probes_due() && !frame_due()) return;
   const Stopwatch watch;
-  if (probes_due()) output_->write_probes(disc_, state_, clock_.dt);
+  if (probes_due()) output_->write_probes(disc_, state_, clock_.dt, evaluated_);
   if (frame_due()) {
     output_->write_frame(disc_, state_, clock_.dt);
     while (next_frame_ <= scene_.output.frames &&
@@ -205,90 +206,12 @@ void RunLoop<D>::observe() {
 }
 
 template <int D>
-void RunLoop<D>::sample_books() {
-  const Stopwatch watch;
-  const Balance<D> now = balance<D>(disc_, state_, clock_.dt);
-  const double energy = now.kinetic + now.elastic;
-  const double work = ledger_.external_work + now.gravity;
-  const Vector<D> momentum = now.linear_momentum - ledger_.impulse;
-  const double angular = now.angular_momentum - ledger_.angular_impulse;
-  if (state_.step == 0) {
-    first_energy_ = energy;
-    first_momentum_ = momentum;
-    first_angular_ = angular;
-  }
-  largest_energy_ = std::max(largest_energy_, std::abs(energy));
-  drift_ = std::max(drift_, std::abs(energy - first_energy_ - work + ledger_.dissipated));
-  momentum_scale_ = std::max(momentum_scale_, now.momentum_scale);
-  angular_scale_ = std::max(angular_scale_, now.angular_scale);
-  momentum_drift_ = std::max(momentum_drift_, (momentum - first_momentum_).norm());
-  angular_drift_ = std::max(angular_drift_, std::abs(angular - first_angular_));
-  if (output_) {
-    std::array<double, 6 + D> row{now.kinetic, now.elastic, work, ledger_.dissipated};
-    for (std::size_t i = 0; i < D; ++i) row[4 + i] = now.linear_momentum[static_cast<Index>(i)];
-    row[4 + D] = now.angular_momentum;
-    row[5 + D] = clock_.dt;
-    output_->write_series(state_.time, row);
-  }
-  output_seconds_ += watch.seconds();
-}
-
-template <int D>
-void RunLoop<D>::watch_hyperbolicity() {
-  if (hyperbolicity_lost_ || disc_.linear()) return;
-  const Stopwatch watch;
-  const auto worst = most_unstable_point<D>(disc_, state_);
-  output_seconds_ += watch.seconds();
-  if (!worst) return;
-  const auto X = disc_.points.X.row(worst->point);
-  hyperbolicity_lost_ = {state_.time,
-                         worst->point,
-                         {X.begin(), X.end()},
-                         {worst->stretches.begin(), worst->stretches.end()},
-                         worst->acoustic_eigenvalue};
-}
-
-template <int D>
-void RunLoop<D>::keep_last_good_state() {
-  if (!output_ || state_.step == 0) return;
-  // One step back: u_n = u_{n−1} + Δt v_{n−½}. Frames written at the lost state itself do not
-  // exist, for evaluate throws first.
-  state_.u -= state_.last_dt * state_.v;
-  state_.time -= state_.last_dt;
-  --state_.step;
-  try {
-    evaluate<D>(disc_, state_);
-    if (!output_->has_frame(state_.time, 0.5 * state_.last_dt))
-      output_->write_frame(disc_, state_, clock_.dt);
-  } catch (const NumericalError&) {
-    // Lost for more than a step without notice; the frames before stand.
-  }
-}
-
-template <int D>
 void RunLoop<D>::report_progress() {
   if (!options_.progress || state_.step % 16 != 0) return;
   const double now = Stopwatch::now();
   if (now - last_progress_ < 0.1 && state_.step != clock_.last()) return;
   last_progress_ = now;
   options_.progress({state_.time, scene_.time.end, state_.step, clock_.last()});
-}
-
-template <int D>
-void RunLoop<D>::finish(Summary& summary) {
-  const Balance<D> now = balance<D>(disc_, state_, clock_.dt);
-  if (output_) {
-    const Stopwatch watch;
-    output_->flush();
-    summary.wall_output += watch.seconds();
-  }
-  summary.hyperbolicity_lost = hyperbolicity_lost_;
-  summary.steps = state_.step;
-  summary.end_time = state_.time;
-  summary.energy = {now.kinetic, now.elastic, ledger_.external_work + now.gravity,
-                    ledger_.dissipated, largest_energy_ > 0.0 ? drift_ / largest_energy_ : 0.0};
-  summary.linear_momentum_drift = momentum_scale_ > 0.0 ? momentum_drift_ / momentum_scale_ : 0.0;
-  summary.angular_momentum_drift = angular_scale_ > 0.0 ? angular_drift_ / angular_scale_ : 0.0;
 }
 
 template class RunLoop<1>;

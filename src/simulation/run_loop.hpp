@@ -15,6 +15,14 @@
 
 namespace tlsph {
 
+/// What a state is recomputed from.
+template <int D>
+struct Snapshot {
+  long step = 0;
+  double time = 0.0, last_dt = 0.0;
+  VectorField<D> u, v;
+};
+
 template <int D>
 class RunLoop {
  public:
@@ -30,6 +38,7 @@ class RunLoop {
   void save_checkpoint();
   void choose_step(Summary& summary);
   void set_step(double wanted);
+  [[nodiscard]] double rehearsed(double dt) const;
   void follow_deformation();
   void evaluate_for_observers();
   [[nodiscard]] bool books_due() const;
@@ -37,6 +46,9 @@ class RunLoop {
   [[nodiscard]] bool probes_due() const;
   void observe();
   void sample_books();
+  [[nodiscard]] bool alarmed() const;
+  void watch_growth(const Balance<D>& now);
+  [[nodiscard]] double deviation(const Balance<D>& now) const;
   void watch_hyperbolicity();
   void step();
   void keep_last_good_state();
@@ -64,9 +76,14 @@ class RunLoop {
   Vector<D> first_momentum_ = Vector<D>::Zero();
   double first_angular_ = 0.0, momentum_scale_ = 0.0, angular_scale_ = 0.0;
   double momentum_drift_ = 0.0, angular_drift_ = 0.0;
+  double energy_scale_ = 0.0;                 ///< largest energy that the books can explain [J]
+  double speed_ = 0.0, known_speed_ = 0.0;    ///< largest now, and when somebody looked [m/s]
   std::optional<HyperbolicityLoss> hyperbolicity_lost_;
   long books_every_ = 1;
   long next_frame_ = 0;
+  long growing_ = 0;             ///< looks in sequence that found an energy out of all bounds
+  std::optional<NumericalError> growth_;  ///< where that began
+  Snapshot<D> balanced_;         ///< the last state within its balance
   bool evaluated_ = false;  ///< H, P and f are those of the state, everywhere
 
   double output_seconds_ = 0.0, last_progress_ = 0.0, last_checkpoint_ = 0.0;

@@ -142,6 +142,7 @@ RunOutput<D>::RunOutput(const std::filesystem::path& directory, const Scene& sce
   std::vector<std::string> columns = {"time"};
   columns.insert(columns.end(), probes.columns().begin(), probes.columns().end());
   probe_row_.resize(columns.size());
+  exact_row_.resize(columns.size());
   probe_file_.emplace(open("probes.csv", columns));
   if (exact.displacement && !scene.probes.empty()) {
     std::vector<std::string> known = {"time"};
@@ -164,13 +165,10 @@ std::span<const double> RunOutput<D>::field(const std::string& name, const Discr
   std::vector<double>& out = scratch_[name];
   out.clear();
   if (quantity == Quantity::velocity || quantity == Quantity::acceleration) {
-    const double kick = 0.5 * (state.last_dt + dt);
     out.reserve(static_cast<std::size_t>(state.v.size()));
     for (Index dof = 0; dof < state.v.size(); ++dof) {
-      const double before = state.v.data()[dof];
-      const double after = next_velocity<D>(disc, state, dt, dof);
-      out.push_back(quantity == Quantity::velocity ? 0.5 * (before + after)
-                                                   : (after - before) / kick);
+      const NodalMotion motion = motion_of<D>(disc, state, dt, dof);
+      out.push_back(quantity == Quantity::velocity ? motion.velocity : motion.acceleration);
     }
     return out;
   }
@@ -204,20 +202,26 @@ void RunOutput<D>::write_frame(const Discretisation<D>& disc, const State<D>& st
 }
 
 template <int D>
-void RunOutput<D>::write_probes(const Discretisation<D>& disc, const State<D>& state, double dt) {
+void RunOutput<D>::write_probes(const Discretisation<D>& disc, const State<D>& state, double dt,
+                                bool evaluated) {
   probe_row_[0] = state.time;
   probes_->sample(disc, state, dt, std::span(probe_row_).subspan(1));
-  // A step looks at all points, but after the probes.
-  if (!std::ranges::all_of(probe_row_, [](double number) { return std::isfinite(number); }))
-    report_failure<D>(disc, state);
+  row_waits_ = true;
+  if (evaluated) keep_probes();
+}
+
+template <int D>
+void RunOutput<D>::keep_probes() {
+  if (!row_waits_) return;
+  row_waits_ = false;
   probe_file_->row(probe_row_);
-  if (exact_file_) write_exact(state.time);
+  if (exact_file_) write_exact(probe_row_[0]);
 }
 
 template <int D>
 void RunOutput<D>::write_exact(double time) {
   std::size_t out = 0;
-  probe_row_[out++] = time;
+  exact_row_[out++] = time;
   for (const ProbeScene& probe : requests_) {
     const Vector<D> X = Eigen::Map<const Vector<D>>(probe.at.data());
     for (const Quantity quantity : probe.record) {
@@ -225,16 +229,16 @@ void RunOutput<D>::write_exact(double time) {
       if (quantity == Quantity::displacement || quantity == Quantity::velocity) {
         const Vector<D> value = quantity == Quantity::displacement ? exact_->displacement(X, time)
                                                                    : exact_->velocity(X, time);
-        for (int i = 0; i < D; ++i) probe_row_[out++] = value[i];
+        for (int i = 0; i < D; ++i) exact_row_[out++] = value[i];
       } else {
         const Tensor<D> value = exact_->stress(X, time);
         for (int i = 0; i < D; ++i)
           for (int j = quantity == Quantity::cauchy ? i : 0; j < D; ++j)
-            probe_row_[out++] = value(i, j);
+            exact_row_[out++] = value(i, j);
       }
     }
   }
-  exact_file_->row(std::span<const double>(probe_row_).first(out));
+  exact_file_->row(std::span<const double>(exact_row_).first(out));
 }
 
 template <int D>

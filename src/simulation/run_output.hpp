@@ -37,7 +37,11 @@ class RunOutput {
   void write_series(double time, std::span<const double> values) {
     run_file_->write_series(time, values);
   }
-  void write_probes(const Discretisation<D>& discretisation, const State<D>& state, double dt);
+  /// A row of every table of probes. Of a state that may turn out to be lost, as long as it is not
+  /// `evaluated`, only once `keep_probes` says that a step went on from it.
+  void write_probes(const Discretisation<D>& discretisation, const State<D>& state, double dt,
+                    bool evaluated);
+  void keep_probes();
   /// Whether a frame of this time or a later one is there, to within `tolerance` [s].
   [[nodiscard]] bool has_frame(double time, double tolerance) const {
     const std::vector<double>& times = run_file_->frame_times();
@@ -58,7 +62,8 @@ class RunOutput {
   std::optional<RunFile> run_file_;
   const Probes<D>* probes_;
   std::optional<CsvWriter> probe_file_, exact_file_;
-  std::vector<double> probe_row_;
+  std::vector<double> probe_row_, exact_row_;
+  bool row_waits_ = false;
   const ExactSolution<D>* exact_;
   std::vector<ProbeScene> requests_;
   std::map<std::string, std::vector<double>> scratch_;

@@ -6,7 +6,10 @@
 ///     E_n = ½ v_{n−½}ᵀ M v_{n+½} + U(u_n),   E_{n+1} − E_n = ½ (f_n + f_{n+1}) · (u_{n+1} − u_n)
 ///
 /// with f the forces that are no gradient of U: loads, reactions of moved degrees of freedom, and
-/// viscous forces.
+/// viscous forces. Where the step changes at t_n, v_{n+½} of the energy is what the step before
+/// would have made of it, and momenta are those of v_n, a half of the step before after v_{n−½}.
+/// E_n is ½ v_nᵀ M v_n + U less ⅛ Δt² aᵀ M a: it stays what it is when motion above the critical
+/// step grows beyond all bounds, and the two grow.
 
 #include "tlsph/dynamics/state.hpp"
 
@@ -59,7 +62,8 @@ struct Ledger {
 /// A sample of all books at t_n. `dt` is the coming step.
 template <int D>
 struct Balance {
-  double kinetic = 0.0;                           ///< ½ v_{n−½}ᵀ M v_{n+½}
+  double kinetic = 0.0;                           ///< ½ v_{n−½}ᵀ M (v_{n−½} + Δt_{n−1} a_n)
+  double ripple = 0.0;                            ///< ½ v_nᵀ M v_n less `kinetic`, never negative
   double elastic = 0.0;                           ///< Σ V Ψ + ½ uᵀ S u
   double gravity = 0.0;                           ///< work of the body force since t = 0, Σ m g·u
   Vector<D> linear_momentum = Vector<D>::Zero();  ///< Σ m v_n

@@ -3,6 +3,7 @@
 /// What changes during a run. Position and half-step velocity are the state proper; the rest is
 /// recomputed from them, so that a run goes on bit-identically from {step, time, u, v}.
 
+#include <string>
 #include <vector>
 
 #include "tlsph/dynamics/discretisation.hpp"
@@ -50,12 +51,29 @@ template <int D>
 [[nodiscard]] double next_velocity(const Discretisation<D>& discretisation, const State<D>& state,
                                    double dt, Index dof);
 
+/// Throws a NumericalError: `what`, the state's time, and the material point that is deformed most.
+/// Needs the H of the state.
+template <int D>
+[[noreturn]] void report_loss(const Discretisation<D>& discretisation, const State<D>& state,
+                              const std::string& what);
+
+/// Velocity at t_n [m/s] and acceleration [m/s²] of one degree of freedom.
+struct NodalMotion {
+  double velocity = 0.0, acceleration = 0.0;
+};
+
+/// a_n = (v_{n+½} − v_{n−½}) / ½(Δt_{n−1} + Δt_n) and v_n = v_{n−½} + ½ Δt_{n−1} a_n, if the coming
+/// step is `dt`. Needs `evaluate` before.
+template <int D>
+[[nodiscard]] NodalMotion motion_of(const Discretisation<D>& discretisation, const State<D>& state,
+                                double dt, Index dof);
+
 /// Turns v(0), as `make_state` left it, into v_{−½}. Needs `evaluate` before.
 template <int D>
 void start(const Discretisation<D>& discretisation, State<D>& state, double dt);
 
-/// One step of the central difference: v_{n+½} = v_{n−½} + Δt a_n, u_{n+1} = u_n + Δt v_{n+½}, to
-/// `next_time` = t_n + dt. Needs `evaluate` before; leaves H, P and f behind at t_n.
+/// One step of the central difference: v_{n+½} = v_{n−½} + ½(Δt_{n−1} + Δt) a_n, u_{n+1} = u_n +
+/// Δt v_{n+½}, to `next_time` = t_n + dt. Needs `evaluate` before; leaves H, P and f behind at t_n.
 template <int D>
 void advance(const Discretisation<D>& discretisation, State<D>& state, double dt, double next_time);
 

@@ -2,19 +2,27 @@
 /// \file
 /// The critical step of a body whose stiffness follows its deformation, kept safe at little cost.
 ///
+/// A central difference is symplectic for equal steps only: a step that shrinks and grows with the
+/// motion pumps energy into it. So the step only falls, by a notch or more at a time, and stays as
+/// it is once the stiffest state has been met.
+///
 /// K depends on the state through the tangents A_s of the material points alone, so what an
 /// estimate at one state says of all others follows from Weyl's inequality:
 ///
 ///     ω²_max ≤ ω²_max(estimate) + γ max_s λ_max(A_s − A_s(estimate)),    γ = λ_max(M⁻¹ Gᵀ V G)
 ///
-/// γ is a constant of the operators. Strains come from the displacements block by block, in the
-/// inner loops of a sweep, and never leave the cache. The bound costs two tangents a point, wanted
-/// only where the body has deformed by a part of a per cent since it was last taken, and a new
-/// estimate only where what the bound may have wasted would have paid for it. How much a body
-/// deforms in the steps to come is read off the last ones; no point may deform by more than a tenth
-/// in a step, whose tangent could be overtaken otherwise. (Where D is not the adjoint of G, as in
-/// `mirror` and `thesis`, K is not symmetric and the same formula is an estimate.)
+/// γ is a constant of the operators. Tangents are those of the stretch U of F = R U, since those of
+/// F have the same eigenvalues and a body that turns is as stiff as before (exact where the body
+/// turns as one, and up to how much R changes over a support where it bends). Strains come from the
+/// displacements block by block, in the inner loops of a sweep, and never leave the cache. The
+/// bound costs two tangents a point, wanted only where the body has deformed by a part of a per
+/// cent since it was last taken. Where it asks for a shorter step, an estimate is made first, as
+/// often as a share of the steps pays for. How much a body deforms in the steps to come is read off
+/// the last ones; no point may deform by more than a tenth in a step, whose tangent could be
+/// overtaken otherwise. (Where D is not the adjoint of G, as in `mirror` and `thesis`, K is not
+/// symmetric and the same formula is an estimate.)
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -44,8 +52,13 @@ class StepFollower {
 
   /// The last estimate.
   [[nodiscard]] const CriticalStep& critical() const { return critical_; }
-  /// The step that is safe now: `safety` times the bound or less, never longer than the first [s].
+  /// The step that is safe now and was safe before: it only falls [s].
   [[nodiscard]] double step() const { return step_; }
+  /// Starts with a shorter step [s].
+  void shorten(double step) { step_ = std::min(step_, step); }
+  /// The strains of a state, and the largest relative deformation of a material point since.
+  [[nodiscard]] std::vector<float> strains(const State<D>& state) const;
+  [[nodiscard]] double deformation(const State<D>& state, const std::vector<float>& before) const;
 
   /// Says that no particle has moved by more than this [m] in a component since the step before.
   /// With it, there are no looks at a body that cannot have deformed by what matters, and one out
@@ -56,7 +69,7 @@ class StepFollower {
     last_path_ = distance;
   }
   /// At every step, the state evaluated unless a sweep reads its strains; most of the time nothing
-  /// happens. True when `step()` has changed. Takes memory only for a new estimate, which also
+  /// happens. True when `step()` has fallen. Takes memory only for a new estimate, which also
   /// leaves H of the state evaluated.
   bool follow(State<D>& state);
 
@@ -71,7 +84,7 @@ class StepFollower {
   [[nodiscard]] std::vector<double> numbers() const;
   [[nodiscard]] const std::vector<float>& estimated_at() const { return H_estimate_; }
   [[nodiscard]] const std::vector<float>& checked_at() const { return H_check_; }
-  static constexpr std::size_t number_count = 20;
+  static constexpr std::size_t number_count = 17;
   /// Entries as `numbers` and the fields gave them.
   void restore(const std::vector<double>& numbers, const std::vector<double>& estimated_at,
                const std::vector<double>& checked_at);
@@ -81,19 +94,20 @@ class StepFollower {
   [[nodiscard]] double share_of_estimate(double added) const;
   void estimate(State<D>& state);
   void check(State<D>& state);
+  void fall_to(double step);
 
   [[nodiscard]] double unit_stiffness() const;
 
   const Discretisation<D>& disc_;
   const Sweep<D>* sweep_ = nullptr;  ///< that strains and estimates are computed by
   double safety_;
+  double kept_;         ///< share of the limit up to which a step stays
   double deformation_;  ///< relative one between two bounds that the safety allows for
   double gamma_ = 0.0;  ///< zero until it is wanted
   CriticalStep critical_;
   double first_;  ///< critical step of the first estimate [s]
   double limit_;  ///< critical step by the last bound [s]
   double step_;
-  double price_, waste_ = 0.0, waste_a_step_ = 0.0;  ///< of estimates and without them, in steps
   std::unique_ptr<sweep::StrainWatch<D>> watch_;
   std::vector<float> H_estimate_, H_check_;  ///< by direction
   bool path_known_ = false;

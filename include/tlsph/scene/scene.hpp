@@ -118,7 +118,9 @@ struct TimeScene {
   double end = 0.0;  // [s]
   double safety = 0.9;
   std::optional<double> step;  // [s], instead of safety × critical
-  Place place;
+  bool allow_unstable = false;
+  std::optional<double> energy_tolerance;  // of the largest energy
+  Place place, end_place, step_place;
 };
 
 enum class Quantity {

@@ -20,7 +20,7 @@ struct FieldErrors {
 };
 
 struct EnergyLedger {
-  double kinetic = 0.0;         ///< ½ v_{n−½}ᵀ M v_{n+½} [J per unit thickness]
+  double kinetic = 0.0;         ///< as Balance [J per unit thickness]
   double elastic = 0.0;         ///< Σ V Ψ plus the stabiliser's ½ uᵀ S u
   double external_work = 0.0;   ///< loads and supports
   double dissipated = 0.0;      ///< by the viscous matrix C
