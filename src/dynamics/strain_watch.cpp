@@ -110,24 +110,23 @@ auto StrainWatch<D>::largest(const State<D>& state, const Visit& visit) -> Chang
     const Index first = block * block_rows;
     return visit(first, std::min(block_rows, points_ - first), H);
   };
-  double stiffest = 0.0;
-  double furthest = 0.0;
-  const auto threads = static_cast<int>(buffers_.size());
-  if (threads == 1) {
-    for (Index b = 0; b < blocks_; ++b) {
-      const Change change = look(b, *buffers_.front());
-      stiffest = std::max(stiffest, change.stiffening);
-      furthest = std::max(furthest, change.deformation);
+  static TeamChoice choice;  // one for every watch of the program
+  const auto parts = static_cast<int>(buffers_.size());
+  in_parts(choice, static_cast<double>(points_), parts, parts, [&](int part) {
+    Buffer& buffer = *buffers_[static_cast<std::size_t>(part)];
+    buffer.most = {};
+    for (Index b = blocks_ * part / parts; b < blocks_ * (part + 1) / parts; ++b) {
+      const Change change = look(b, buffer);
+      buffer.most.stiffening = std::max(buffer.most.stiffening, change.stiffening);
+      buffer.most.deformation = std::max(buffer.most.deformation, change.deformation);
     }
-    return {stiffest, furthest};
+  });
+  Change most;
+  for (const auto& buffer : buffers_) {
+    most.stiffening = std::max(most.stiffening, buffer->most.stiffening);
+    most.deformation = std::max(most.deformation, buffer->most.deformation);
   }
-#pragma omp parallel for schedule(static) reduction(max : stiffest, furthest) num_threads(threads)
-  for (Index b = 0; b < blocks_; ++b) {
-    const Change change = look(b, *buffers_[static_cast<std::size_t>(omp_get_thread_num())]);
-    stiffest = std::max(stiffest, change.stiffening);
-    furthest = std::max(furthest, change.deformation);
-  }
-  return {stiffest, furthest};
+  return most;
 }
 
 template <int D>

@@ -51,6 +51,7 @@ class StrainWatch {
   struct Buffer {
     std::array<std::vector<double>, most_directions> values;
     std::array<double*, most_directions> direction{};
+    Change most;
   };
   using Directions = std::array<const double*, static_cast<std::size_t>(D)>;
   using Stored = std::array<const float*, static_cast<std::size_t>(D)>;

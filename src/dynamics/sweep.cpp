@@ -1,14 +1,13 @@
 #include "tlsph/dynamics/sweep.hpp"
 
-#include <omp.h>
-
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "sweep_stiffness.hpp"
 #include "sweep_storage.hpp"
 #include "sweep_thread.hpp"
+#include "tlsph/core/cpu_clock.hpp"
+#include "tlsph/core/team.hpp"
 
 namespace tlsph {
 namespace {
@@ -33,13 +32,14 @@ template <int D>
 struct Sweep<D>::Parts {
   const Discretisation<D>& disc;
   int threads;
+  TeamChoice choice;
   sweep::Storage<D> storage;
-  using Team = std::vector<std::unique_ptr<sweep::Thread<D>>>;
+  using Threads = std::vector<std::unique_ptr<sweep::Thread<D>>>;
   sweep::Shared<D> shared;
-  Team points;  // who goes by the points
+  Threads points;  // who goes by the points
   std::optional<sweep::Stiffness<D>> stiffness;
   sweep::Shared<D> shared_stiffness;
-  Team products;  // who makes steps of that stiffness, if there is one
+  Threads products;  // who makes steps of that stiffness, if there is one
   std::vector<char> good;
   std::vector<double> curve_values;
 
@@ -82,11 +82,11 @@ struct Sweep<D>::Parts {
     return loads;
   }
 
-  [[nodiscard]] Team team(const sweep::Shared<D>& common, const sweep::Dependences& dep,
-                          const sweep::Operators& operators, const std::vector<int>& regions,
-                          const std::vector<Index>& booked,
-                          const std::vector<sweep::NodeLoad>& loads) const {
-    Team result;
+  [[nodiscard]] Threads team(const sweep::Shared<D>& common, const sweep::Dependences& dep,
+                             const sweep::Operators& operators, const std::vector<int>& regions,
+                             const std::vector<Index>& booked,
+                             const std::vector<sweep::NodeLoad>& loads) const {
+    Threads result;
     for (int t = 0; t < threads; ++t) {
       const Index first = disc.nodes() * t / threads;
       const Index last = disc.nodes() * (t + 1) / threads;
@@ -135,20 +135,20 @@ struct Sweep<D>::Parts {
       shared.pressures[l] = value(disc.loads[l].curve, time);
   }
 
-  [[nodiscard]] const Team& stepping() const { return stiffness ? products : points; }
+  [[nodiscard]] const Threads& stepping() const { return stiffness ? products : points; }
 
-  void pass(const Team& thread, const sweep::StepData<D>& step) {
-    if (threads == 1) {
-      good[0] = thread[0]->before(step) && thread[0]->after(step) ? 1 : 0;
-      return;
-    }
-#pragma omp parallel num_threads(threads)
-    {
-      const auto t = static_cast<std::size_t>(omp_get_thread_num());
-      good[t] = thread[t]->before(step) ? 1 : 0;
-#pragma omp barrier
-      if (good[t] != 0) good[t] = thread[t]->after(step) ? 1 : 0;
-    }
+  /// The parts are the same whoever makes them, and so are the results.
+  void pass(const Threads& thread, const sweep::StepData<D>& step) {
+    in_parts(
+        choice, 1.0, threads, threads,
+        [&](int part) {
+          const auto t = static_cast<std::size_t>(part);
+          good[t] = thread[t]->before(step) ? 1 : 0;
+        },
+        [&](int part) {
+          const auto t = static_cast<std::size_t>(part);
+          if (good[t] != 0) good[t] = thread[t]->after(step) ? 1 : 0;
+        });
   }
 
   /// Takes back what nodes have gone of the step and says what is wrong with the state.
@@ -190,12 +190,11 @@ bool available(Instructions instructions) {
 }
 
 double peak_multiply_adds(Index rounds) {
-  using Clock = std::chrono::steady_clock;
   double sum = 0.0;
-  const auto start = Clock::now();
+  const double start = cpu_seconds();
   const Index done = sweep::kernels<1>(sweep::widest_level()).multiply_adds(rounds, sum);
-  const std::chrono::duration<double> seconds = Clock::now() - start;
-  return sum > 0.0 ? static_cast<double>(done) / seconds.count() : 0.0;
+  const double seconds = cpu_seconds() - start;
+  return sum > 0.0 ? static_cast<double>(done) / seconds : 0.0;
 }
 
 std::string widest_instructions() {

@@ -161,29 +161,34 @@ void TangentPass<D>::product(const VectorField<D>& x, VectorField<D>& force) {
   for (std::size_t a = 0; a < stress_.size(); ++a) stress[a] = stress_[a].data();
   const auto gradient = storage_.modes ? kernels_.gradient_and_modes : kernels_.gradient;
   const auto divergence = storage_.modes ? kernels_.divergence_and_modes : kernels_.divergence;
-#pragma omp parallel num_threads(threads_)
-  {
-    const Buffer<D> buffer;
-    double* const* out = buffer.data();
-#pragma omp for schedule(static)
-    for (std::size_t b = 0; b < points_.blocks.size(); ++b) {
-      const Block& block = points_.blocks[b];
-      gradient(storage_.gradient_table, runs_of(points_, block), x.data(), x.size(),
-               {out, block.first});
-      stresses(block.first, block.last, out);
-      if (storage_.modes && state_ != nullptr)
-        std::copy_n(out[D], (block.last - block.first) * D, stress[D] + block.first * D);
-    }
-#pragma omp for schedule(static)
-    for (std::size_t b = 0; b < nodes_.blocks.size(); ++b) {
-      const Block& block = nodes_.blocks[b];
-      divergence(storage_.divergence_table, runs_of(nodes_, block), {stress.data(), 0}, out[0],
-                 block.first);
-      for (Index q = block.first; q < block.last; ++q)
-        for (int i = 0; i < D; ++i)
-          force.data()[q * D + i] = disc_.mass[q] * out[0][(q - block.first) * D + i];
-    }
-  }
+  std::vector<Buffer<D>> buffers(static_cast<std::size_t>(threads_));
+  const auto share = [&](const Blocks& all, int part, const auto& visit) {
+    const auto p = static_cast<std::size_t>(part);
+    const std::size_t count = all.blocks.size();
+    for (std::size_t b = count * p / buffers.size(); b < count * (p + 1) / buffers.size(); ++b)
+      visit(all.blocks[b], buffers[p].data());
+  };
+  static TeamChoice choice;  // one for every pass of the program
+  in_parts(
+      choice, static_cast<double>(disc_.nodes()), threads_, threads_,
+      [&](int part) {
+        share(points_, part, [&](const Block& block, double* const* out) {
+          gradient(storage_.gradient_table, runs_of(points_, block), x.data(), x.size(),
+                   {out, block.first});
+          stresses(block.first, block.last, out);
+          if (storage_.modes && state_ != nullptr)
+            std::copy_n(out[D], (block.last - block.first) * D, stress[D] + block.first * D);
+        });
+      },
+      [&](int part) {
+        share(nodes_, part, [&](const Block& block, double* const* out) {
+          divergence(storage_.divergence_table, runs_of(nodes_, block), {stress.data(), 0}, out[0],
+                     block.first);
+          for (Index q = block.first; q < block.last; ++q)
+            for (int i = 0; i < D; ++i)
+              force.data()[q * D + i] = disc_.mass[q] * out[0][(q - block.first) * D + i];
+        });
+      });
   if (state_ != nullptr && disc_.stiffness.nonZeros() > 0)
     subtract_differences<D>(disc_.stiffness, x, force);
 }

@@ -201,6 +201,27 @@ void Hdf5File::write(const std::string& item, const std::vector<std::string>& te
     open_->write_failed(item, "write these texts");
 }
 
+void Hdf5File::write_view(const std::string& item, const Extents& shape, const Extents& count,
+                          const Hdf5Part& part) {
+  const auto selected = [](const Extents& all, const Extents& start, const Extents& some) {
+    Hdf5Id space = hdf5_space(all);
+    const std::vector<hsize_t> from(start.begin(), start.end()), many(some.begin(), some.end());
+    if (hdf5_count(some) > 0)
+      H5Sselect_hyperslab(space, H5S_SELECT_SET, from.data(), nullptr, many.data(), nullptr);
+    return space;
+  };
+  const Hdf5Id layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  const Extents origin(shape.size(), 0);
+  const bool mapped =
+      hdf5_count(count) == 0 ||
+      H5Pset_virtual(layout, selected(shape, origin, count), part.file.c_str(), part.item.c_str(),
+                     selected(part.shape, part.start, part.count)) >= 0;
+  const Hdf5Id dataset(H5Dcreate2(open_->file, item.c_str(), H5T_IEEE_F64LE, hdf5_space(shape),
+                                  with_groups(), layout, H5P_DEFAULT),
+                       H5Dclose);
+  if (!mapped || !dataset.valid()) open_->write_failed(item, "write this view");
+}
+
 void Hdf5File::set_attribute(const std::string& item, const std::string& name,
                              const std::string& text) {
   const Hdf5Id type = hdf5_text_type();

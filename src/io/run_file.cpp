@@ -57,7 +57,7 @@ void write_vertices(Hdf5File& file, const std::string& group, const CloudView& c
   std::iota(vertices.begin(), vertices.end(), 0);
   file.write(group + "/positions", positions, {cloud.size(), 3});
   file.set_attribute(group + "/positions", "unit", "m");
-  file.write(group + "/vertices", vertices, {cloud.size()});
+  file.write(group + "/vertices", vertices, {cloud.size(), 1});
 }
 
 /// The nodes of every point that is a cell.

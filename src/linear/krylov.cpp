@@ -1,5 +1,7 @@
 #include "tlsph/linear/krylov.hpp"
 
+#include <omp.h>
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -9,6 +11,7 @@
 #include <stdexcept>
 
 #include "tlsph/core/error.hpp"
+#include "tlsph/core/team.hpp"
 
 namespace tlsph {
 namespace {
@@ -35,9 +38,11 @@ template <class Part>
 double sum_chunks(Index n, std::vector<double>& parts, const Part& part) {
   const Index chunks = (n + chunk - 1) / chunk;
   parts.resize(static_cast<std::size_t>(chunks));
-#pragma omp parallel for schedule(static) if (chunks > 1)
-  for (Index c = 0; c < chunks; ++c)
-    parts[static_cast<std::size_t>(c)] = part(c * chunk, std::min(chunk, n - c * chunk));
+  static TeamChoice choice;  // one for every sum of its kind
+  in_parts(choice, static_cast<double>(n), omp_get_max_threads(), static_cast<int>(chunks),
+           [&](int c) {
+             parts[static_cast<std::size_t>(c)] = part(c * chunk, std::min(chunk, n - c * chunk));
+           });
   return std::accumulate(parts.begin(), parts.end(), 0.0);
 }
 

@@ -119,6 +119,7 @@ void add_ghost_operators(const Scene& scene, Discretisation<D>& disc) {
 
 template <int D>
 Discretisation<D> build(const Scene& scene, Gradients gradients) {
+  Eigen::setNbThreads(1);  // its products would wait for their threads where cores are taken
   Discretisation<D> disc;
   disc.particles = build_particles<D>(scene);
   if (scene.consistency && is_collocated(scene.formulation)) {

@@ -55,21 +55,28 @@ double operator_bytes(const Scene& scene, double particles) {
   const StabiliserScene& stabiliser = scene.stabiliser;
   const bool modes =
       stabiliser.kind == StabiliserKind::cell && stabiliser.action == StabiliserAction::stiffness;
-  double rows_of_stabiliser = 0.0;
+  double rows_of_stabiliser = 0.0, pair_errors = 0.0;
   if (modes)
     rows_of_stabiliser = 8.0 * (neighbours + 1.0);
   else if (stabiliser.kind != StabiliserKind::none)
     rows_of_stabiliser = (d == 1 ? 5.0 : 25.0) * 12.0;
+  if (stabiliser.kind == StabiliserKind::pair) {
+    // Half of the neighbours make a pair with a particle, and its error is a row on the neighbours
+    // of both: lists of triplets, which grow by doubling, and four sparse matrices at once.
+    const double pairs = d == 1 ? 1.0 : 4.0, row_entries = d == 1 ? 4.0 : 12.0;
+    pair_errors = pairs * (1.5 * 16.0 * 2.0 * (1 + d) + 4.0 * 12.0 * row_entries);
+  }
   const double tensor = 8.0 * d * d * points;
   const double vector = 8.0 * d;
   const double body = 2.0 * vector + 8.0 + 4.0 * (1 << d) + points * (vector + 8.0) + vector + 16.0;
   const double state = 4.0 * vector + 2.0 * tensor;  // u, v, f, C v or a frame's velocity; H, P
   const double follower = follows_deformation(scene) ? tensor : 0.0;  // two in single precision
-  // What comes and goes beside these: at set-up pattern, weights and transposed at once, and lists
-  // of triplets for a stabiliser; in a run six vectors of an eigenvalue's estimate, its
-  // stresses and what it keeps of the tangents.
+  // What comes and goes beside these: at set-up pattern, weights and transposed at once, then the
+  // pair errors and the products that make a stabiliser of them; in a run six vectors of an
+  // eigenvalue's estimate, its stresses and what it keeps of the tangents.
   const double setup =
-      cells ? row + 2.0 * rows_of_stabiliser : 2.0 * row + 3.0 * rows_of_stabiliser + 12.0 * vector;
+      cells ? row + 2.0 * rows_of_stabiliser
+            : std::max(2.0 * row + 12.0 * vector, row + 3.0 * rows_of_stabiliser + pair_errors);
   const double estimate = 6.0 * vector + tensor + (modes ? vector : 0.0) + 24.0;
   return particles *
          (2.0 * row + rows_of_stabiliser + body + std::max(setup, state + follower + estimate));

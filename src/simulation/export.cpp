@@ -2,7 +2,9 @@
 
 #include <array>
 #include <cmath>
+#include <filesystem>
 
+#include "tlsph/core/error.hpp"
 #include "tlsph/dynamics/critical_step.hpp"
 #include "tlsph/dynamics/stabiliser_forces.hpp"
 #include "tlsph/io/files.hpp"
@@ -22,6 +24,27 @@ constexpr std::array<const char*, 3> axes = {"x", "y", "z"};
 
 std::span<const double> flat(const auto& matrix) {
   return {matrix.data(), static_cast<std::size_t>(matrix.size())};
+}
+
+/// Every name under which some export writes an operator.
+std::vector<std::string> operator_names() {
+  std::vector<std::string> names = {"W", "M", "S", "C"};
+  for (const char* letter : {"G", "D", "D_folded"})
+    for (const char* axis : axes) {
+      names.push_back(fmt::format("{}_{}", letter, axis));
+      for (const char* component : axes)
+        names.push_back(fmt::format("{}_{}_u{}", letter, axis, component));
+    }
+  return names;
+}
+
+/// The report of the export before; empty if there is none that can be read.
+Json earlier(const std::filesystem::path& report) {
+  try {
+    return Json::read(report);
+  } catch (const InputError&) {
+    return {};
+  }
 }
 
 /// Writes operators one by one and describes each in the report.
@@ -48,9 +71,20 @@ class Exporter {
   }
   void set(const std::string& key, auto value) { report_.set(key, value); }
   [[nodiscard]] Json& report() { return report_; }
+  /// Matrices of the export that was in this folder before, and are none of this one, go.
   void finish() {
     file_.close();
-    report_.write(directory_ / "report.json");
+    const std::filesystem::path report = directory_ / "report.json";
+    const Json before = earlier(report);
+    for (const std::string& name : operator_names()) {
+      if (!before.has("operators." + name) || report_.has("operators." + name)) continue;
+      const std::filesystem::path file = directory_ / (name + ".mtx");
+      std::error_code error;
+      std::filesystem::remove(file, error);
+      if (error)
+        throw OutputError(file.string() + ": cannot remove this file of the export before");
+    }
+    report_.write(report);
   }
 
  private:

@@ -1,10 +1,11 @@
 #include <omp.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 
+#include "memory.hpp"
 #include "run_loop.hpp"
 #include "stopwatch.hpp"
+#include "tlsph/core/free_cores.hpp"
 #include "tlsph/io/files.hpp"
 #include "tlsph/linear/blas_threads.hpp"
 #include "tlsph/scene/names.hpp"
@@ -16,12 +17,6 @@ namespace {
 
 /// Below this many particles a second thread costs more than it brings.
 constexpr Index one_thread_below = 2000;
-
-double peak_memory() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) * 1024.0;
-}
 
 /// Sets the number of threads and, when it goes, what it was before.
 class ThreadCount {
@@ -62,14 +57,17 @@ template <int D>
 Summary run_in(const Scene& scene, const RunOptions& options) {
   const Stopwatch setup;
   const ThreadCount threads(options.threads > 0 ? options.threads : omp_get_max_threads());
-  if (options.threads > 0) set_blas_threads(options.threads);
+  if (options.threads > 0)
+    set_blas_threads(options.threads);
+  else if (scene.consistency && !cores_are_free(omp_get_max_threads()))
+    set_blas_threads(1);
   const auto disc = build<D>(scene);
   if (options.threads == 0 && disc.nodes() < one_thread_below) omp_set_num_threads(1);
   Summary summary;
   describe<D>(scene, disc, summary);
   summary.wall_setup = setup.seconds();
   const auto write = [&] {
-    summary.peak_memory_bytes = peak_memory();
+    summary.peak_memory_bytes = memory_status("VmHWM:");
     if (options.out.empty()) return;
     make_output_directory(options.out);
     write_text_file(options.out / "summary.json", summary.json());

@@ -1,6 +1,7 @@
 #include "run_output.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "tlsph/dynamics/measures.hpp"
@@ -198,7 +199,12 @@ void RunOutput<D>::write_frame(const Discretisation<D>& disc, const State<D>& st
     fields.push_back(field(entry.name, disc, state, dt));
   run_file_->write_frame(state.time, fields);
   scratch_.clear();  // rather than keep a field that is wanted once in many steps
-  write_xdmf(directory_ / "run.xdmf", layout_, run_file_->frame_times());
+  const std::filesystem::path document = directory_ / "run.xdmf";
+  if (const std::size_t frames = run_file_->frames(); frames > views_) {
+    views_ = std::bit_ceil(std::max(frames, std::size_t{16}));  // some ahead, for frames to come
+    write_views(view_file_of(document), layout_, views_);
+  }
+  write_xdmf(document, layout_, run_file_->frame_times());
 }
 
 template <int D>

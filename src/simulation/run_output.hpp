@@ -60,6 +60,7 @@ class RunOutput {
   RunLayout layout_;
   DirectoryLock lock_;
   std::optional<RunFile> run_file_;
+  std::size_t views_ = 0;  // frames that the file of views shows
   const Probes<D>* probes_;
   std::optional<CsvWriter> probe_file_, exact_file_;
   std::vector<double> probe_row_, exact_row_;

@@ -30,6 +30,10 @@ template <int D>
 [[nodiscard]] std::string of_output(const Scene& scene, const Discretisation<D>& disc,
                                     double steps);
 
+/// Bytes of the fields of a frame.
+template <int D>
+[[nodiscard]] double frame_bytes(const Scene& scene, const Discretisation<D>& disc);
+
 /// A support above the one its formulation needs. `dt` is the critical step of the scene [s].
 template <int D>
 [[nodiscard]] std::string of_support(const Scene& scene, const Discretisation<D>& disc, double dt);

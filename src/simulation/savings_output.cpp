@@ -51,15 +51,22 @@ bool is_read(const Scene& scene) {
 }  // namespace
 
 template <int D>
+double frame_bytes(const Scene& scene, const Discretisation<D>& disc) {
+  double frame = 0.0;
+  for (const std::string& field : scene.output.fields)
+    frame += bytes_of<D>(*from_name<Quantity>(field), disc);
+  return frame;
+}
+
+template <int D>
 std::string of_output(const Scene& scene, const Discretisation<D>& disc, double steps) {
   if (scene.output.frames == 0) return "";
-  double frame = 0.0;
+  const double frame = frame_bytes<D>(scene, disc);
   double stress = 0.0;
   std::vector<std::string> others;
   for (const std::string& field : scene.output.fields) {
     const Quantity quantity = *from_name<Quantity>(field);
     const double bytes = bytes_of<D>(quantity, disc);
-    frame += bytes;
     if (is_stress(quantity))
       stress += bytes;
     else
@@ -84,6 +91,8 @@ std::string of_output(const Scene& scene, const Discretisation<D>& disc, double 
   return text;
 }
 
+template double frame_bytes<1>(const Scene&, const Discretisation<1>&);
+template double frame_bytes<2>(const Scene&, const Discretisation<2>&);
 template std::string of_output<1>(const Scene&, const Discretisation<1>&, double);
 template std::string of_output<2>(const Scene&, const Discretisation<2>&, double);
 

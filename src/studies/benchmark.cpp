@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <thread>
 
+#include "tlsph/core/cpu_clock.hpp"
 #include "tlsph/dynamics/critical_step.hpp"
 #include "tlsph/dynamics/sweep.hpp"
 #include "tlsph/scene/reader.hpp"
@@ -19,10 +19,6 @@ namespace tlsph {
 namespace {
 
 constexpr int batches = 7;
-
-double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 /// One body, and how it is stepped.
 struct Case {
@@ -105,18 +101,20 @@ class OneThread {
   int before_ = omp_get_max_threads();
 };
 
-/// Seconds of one call, in batches of so many seconds: the fastest and the median batch.
+/// CPU seconds of this thread for one call, in batches of so many: the fastest and the median
+/// batch. Of a team that is its time on a machine whose cores it has for itself.
 template <class Call>
 std::array<double, 2> timed(double seconds, const Call& call) {
   call();
-  const double first = now();
+  const double first = cpu_seconds();
   call();
-  const auto calls = std::max<long>(1, std::lround(seconds / std::max(1e-9, now() - first)));
+  const auto calls =
+      std::max<long>(1, std::lround(seconds / std::max(1e-9, cpu_seconds() - first)));
   std::array<double, batches> batch{};
   for (double& each : batch) {
-    const double start = now();
+    const double start = cpu_seconds();
     for (long k = 0; k < calls; ++k) call();
-    each = (now() - start) / static_cast<double>(calls);
+    each = (cpu_seconds() - start) / static_cast<double>(calls);
   }
   std::ranges::sort(batch);
   return {batch.front(), batch[batches / 2]};
@@ -191,9 +189,9 @@ double triad() {
   std::vector<double> a(size, 1.0), b(size, 2.0), c(size, 3.0);
   double best = std::numeric_limits<double>::infinity();
   for (int k = 0; k < batches; ++k) {
-    const double start = now();
+    const double start = cpu_seconds();
     for (std::size_t i = 0; i < size; ++i) a[i] = b[i] + 0.5 * c[i];
-    best = std::min(best, now() - start);
+    best = std::min(best, cpu_seconds() - start);
     b[static_cast<std::size_t>(k)] = a[size - 1];
   }
   return 3.0 * size * sizeof(double) / best;

@@ -30,9 +30,9 @@ std::string BenchmarkTable::text() const {
         100.0 * row.share(), row.memory_binds() ? "memory" : "arithmetic");
   }
   text +=
-      "\nns, plain ns: per particle and step, the fastest of seven batches; plain: sparse products "
-      "of "
-      "Eigen\nbytes: per particle and step, u and v in and out and the weights of rows without a "
+      "\nns, plain ns: CPU time of a thread per particle and step, the fastest of seven batches; "
+      "plain: sparse products of Eigen\nbytes: per particle and step, u and v in and out and the "
+      "weights of rows without a "
       "stencil\nshare: what the binding limit alone would take of the time\n";
   return text;
 }

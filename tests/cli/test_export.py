@@ -99,6 +99,31 @@ class Export(ProgramTest):
 
         self.assertGreater(report["gradient"]["adjointness_error"], 1e-6)
 
+    def test_a_used_folder_holds_the_matrices_of_the_last_export_only(self):
+        for settings in (
+            ("formulation=variational",),
+            ("formulation=stress-point",),
+            ("formulation=stress-point", "stabiliser.kind=none"),
+        ):
+            arguments = [word for setting in settings for word in ("--set", setting)]
+            out = self.export(SHEET, *arguments)
+            (out / "X.mtx").touch()  # of somebody else
+
+            report = json.loads((out / "report.json").read_text(encoding="utf-8"))
+            written = {path.stem for path in out.glob("*.mtx")}
+            self.assertEqual(written, set(report["operators"]) | {"X"})
+        self.assertNotIn("S", report["operators"])
+
+    def test_a_report_that_cannot_be_read_is_no_one_s(self):
+        (self.folder / "matrices").mkdir()
+        (self.folder / "matrices/report.json").write_text("no report", encoding="utf-8")
+        (self.folder / "matrices/S.mtx").touch()
+
+        out = self.export(SHEET, "--set", "stabiliser.kind=none")
+
+        self.assertTrue((out / "S.mtx").exists())
+        self.assertIn("operators", json.loads((out / "report.json").read_text(encoding="utf-8")))
+
     def test_shapes_match_in_1d(self):
         for formulation, points in (("mirror", 21), ("variational", 21), ("stress-point", 20)):
             with self.subTest(formulation):

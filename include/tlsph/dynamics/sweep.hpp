@@ -26,7 +26,8 @@
 /// (operators/row_storage.hpp) and run vectorised across particles. The rows of a cell stabiliser
 /// are a direction more of G and D. Threads own ranges of nodes; what they read of each other is
 /// computed before the first of them writes. Results do not depend on which steps are observed, and
-/// are the same in every run of as many threads; they differ from `evaluate` and `advance` by
+/// are the same in every run of as many threads, also while one of them makes the parts of all
+/// because that is faster (core/team_choice.hpp); they differ from `evaluate` and `advance` by
 /// rounding.
 
 #include <memory>

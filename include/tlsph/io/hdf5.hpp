@@ -27,6 +27,13 @@ struct Hdf5Array {
   std::vector<Value> values;
 };
 
+/// Part of a data set, `count` entries from `start` on along each of its directions. `file` is
+/// relative to the file that speaks of it.
+struct Hdf5Part {
+  std::string file, item;
+  Extents shape, start, count;
+};
+
 class Hdf5File {
  public:
   /// A new file in place of any old one.
@@ -54,6 +61,11 @@ class Hdf5File {
   void write(const std::string& item, std::span<const std::int64_t> values, const Extents& shape);
   void write(const std::string& item, const std::string& text);
   void write(const std::string& item, const std::vector<std::string>& texts);
+
+  /// A virtual data set of doubles: its first `count` entries along each direction are those of
+  /// `part`, which need not be there yet, all others 0.
+  void write_view(const std::string& item, const Extents& shape, const Extents& count,
+                  const Hdf5Part& part);
 
   // An attribute of a group or data set; an old one of that name is replaced.
   void set_attribute(const std::string& item, const std::string& name, const std::string& text);

@@ -21,7 +21,7 @@ struct BenchmarkRow {
   double neighbours = 0.0;  ///< entries of a row of G, mean
   int threads = 1;
   StorageReport storage;
-  double ns = 0.0;             ///< per particle and step, the fastest of several batches
+  double ns = 0.0;  ///< CPU time of a thread per particle and step, the fastest of several batches
   double spread = 0.0;         ///< median over fastest, minus one
   double plain_ns = 0.0;       ///< of the plain way on one thread; 0 where it was not measured
   double bytes = 0.0;          ///< per particle and step that must come from and go to memory

@@ -3,6 +3,7 @@
 
 #include "property/sweeps.hpp"
 #include "tlsph/core/error.hpp"
+#include "tlsph/core/team.hpp"
 #include "tlsph/dynamics/excerpt.hpp"
 
 namespace tlsph::property {
@@ -91,6 +92,11 @@ TEST(Sweep, KeepsRunsOfAsManyThreadsBitIdentical) {
   const VectorField<2> first = run();
 
   for (int again = 0; again < 3; ++again) EXPECT_EQ(run(), first);
+
+  // Where somebody else has the team, one thread makes the parts of both.
+  const Team::Turn turn;
+  ASSERT_TRUE(turn.held);
+  EXPECT_EQ(run(), first);
 }
 
 /// A body in which one particle is thrown over its neighbours.

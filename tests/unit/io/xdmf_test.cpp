@@ -18,6 +18,7 @@ using testing::HasSubstr;
 class Xdmf : public test::SmallRun {
  protected:
   static constexpr std::size_t frames = 3;
+  std::filesystem::path views = directory / "run.xdmf.h5";
 
   std::string document_of_a_run(std::size_t dimension, bool cells = false) {
     const RunLayout shape = cells ? layout_of_cells(dimension) : layout(dimension);
@@ -25,7 +26,8 @@ class Xdmf : public test::SmallRun {
         RunFile::create(path, shape, cells ? start_of_cells(dimension) : start(dimension));
     for (std::size_t frame = 0; frame < frames; ++frame) write_frame(run, frame, dimension);
     run.close();
-    return xdmf_document(shape, run.frame_times(), "run.h5");
+    write_views(views, shape, frames + 2);  // more than there are frames
+    return xdmf_document(shape, run.frame_times(), "run.h5", "run.xdmf.h5");
   }
 };
 
@@ -37,27 +39,6 @@ std::vector<std::smatch> matches(const std::string& text, const char* pattern) {
 std::vector<std::size_t> numbers(const std::string& text) {
   std::istringstream stream(text);
   return {std::istream_iterator<std::size_t>(stream), {}};
-}
-
-/// Part of an array: start, stride and count along each direction.
-std::vector<double> part(const Hdf5Array<double>& array, const std::vector<std::size_t>& start,
-                         const std::vector<std::size_t>& stride,
-                         const std::vector<std::size_t>& count) {
-  std::vector<double> values;
-  std::vector<std::size_t> at(count.size(), 0);
-  for (bool more = true; more;) {
-    std::size_t index = 0;
-    for (std::size_t a = 0; a < at.size(); ++a) {
-      const std::size_t position = start[a] + stride[a] * at[a];
-      EXPECT_LT(position, array.shape[a]);
-      index = index * array.shape[a] + position;
-    }
-    values.push_back(array.values.at(index));
-    more = false;
-    for (std::size_t a = at.size(); a-- > 0 && !more; at[a] = more ? at[a] : 0)
-      more = ++at[a] < count[a];
-  }
-  return values;
 }
 
 TEST_F(Xdmf, IsWellFormed) {
@@ -101,53 +82,44 @@ TEST_P(XdmfOfKinds, EveryWholeDataSetIsThereInItsShape) {
   for (const auto& item : items) EXPECT_EQ(file.shape(item[2]), numbers(item[1])) << item[2];
 }
 
-TEST_P(XdmfOfKinds, BothReadersAreToldTheSamePartOfTheRightFrame) {
+TEST_P(XdmfOfKinds, EveryAttributeIsAWholeDataSetOfTheRightFrame) {
   const std::size_t d = GetParam().dimension;
   const std::string text = document_of_a_run(d, GetParam().cells);
-  const Hdf5File file = Hdf5File::open_read_only(path);
+  const Hdf5File file = Hdf5File::open_read_only(views);
   const RunLayout shape = layout(d);
 
-  const auto newer = matches(
+  const auto found = matches(
       text,
-      R"re(Dimensions="([0-9 ]+)">run\.h5:/frames/([a-z0-9]+)\|([0-9 ]+):([0-9 ]+):([0-9 ]+):([0-9 ]+)<)re");
-  const auto older = matches(
-      text,
-      R"re("HyperSlab" Dimensions="([0-9 ]+)"><DataItem[^>]*>([0-9 ]+)</DataItem><DataItem[^>]*>run\.h5:/frames/([a-z0-9]+)<)re");
-  const auto names = matches(text, R"re(<Attribute Name="([a-z0-9_]+)"[^>]*>\n)re");
+      R"re(<Attribute Name="([a-z0-9_]+)" AttributeType="([A-Za-z]+)"[^>]*><DataItem[^>]* Dimensions="([0-9 ]+)">run\.xdmf\.h5:/([0-9]+)/([a-z0-9_]+)<)re");
 
-  ASSERT_EQ(newer.size(), older.size());
-  ASSERT_EQ(newer.size(), names.size());
-  ASSERT_EQ(newer.size(), frames * (1 + d * d + 1));
-  for (std::size_t i = 0; i < newer.size(); ++i) {
-    const auto start = numbers(newer[i][3]), stride = numbers(newer[i][4]),
-               count = numbers(newer[i][5]);
-    std::vector<std::size_t> all = start;
-    all.insert(all.end(), stride.begin(), stride.end());
-    all.insert(all.end(), count.begin(), count.end());
-    EXPECT_EQ(all, numbers(older[i][2]));
-    EXPECT_EQ(newer[i][1], older[i][1]);
-    EXPECT_EQ(newer[i][2], older[i][3]);
-    const auto array = file.read_doubles("/frames/" + newer[i][2].str());
-    EXPECT_EQ(array.shape, numbers(newer[i][6]));
+  std::size_t attributes = 0;
+  for (std::size_t at = text.find("<Attribute"); at != std::string::npos;
+       at = text.find("<Attribute", at + 1))
+    ++attributes;
+  ASSERT_EQ(found.size(), attributes);
+  ASSERT_EQ(found.size(), frames * (1 + d * d + 1));
+  for (const auto& attribute : found) {
+    const std::string name = attribute[1];
+    EXPECT_EQ(attribute[5], name);
+    const auto array = file.read_doubles("/" + attribute[4].str() + "/" + name);
+    EXPECT_EQ(array.shape, numbers(attribute[3]));
 
-    // The component that the name promises, from the frame that the position in the document
-    // promises.
-    const std::string name = names[i][1];
+    // A vector with its third component, or the component that the name promises.
     const std::size_t f = name.starts_with("displacement") ? 0 : name.starts_with("pk1") ? 1 : 2;
-    const std::size_t frame = i / (newer.size() / frames);
-    const auto whole = field(f, frame, d);
+    const auto whole = field(f, std::stoul(attribute[4]), d);
     const std::size_t width = shape.components(shape.fields[f]);
-    std::size_t component = 0, components = width;
-    if (const auto mark = name.find('_'); mark != std::string::npos) {
-      components = 1;
+    std::vector<double> expected;
+    std::size_t component = 0;
+    if (const auto mark = name.find('_'); mark != std::string::npos)
       for (char c : name.substr(mark + 1))
         component = component * d + static_cast<std::size_t>(c - 'x');
-    }
-    std::vector<double> expected;
     for (std::size_t row = 0; row < whole.size() / width; ++row)
-      for (std::size_t c = 0; c < components; ++c)
-        expected.push_back(whole[row * width + component + c]);
-    EXPECT_EQ(part(array, start, stride, count), expected) << name << " in frame " << frame;
+      if (attribute[2] == "Vector")
+        expected.insert(expected.end(), {whole[row * width], whole[row * width + 1], 0.0});
+      else
+        expected.push_back(whole[row * width + component]);
+    EXPECT_EQ(array.values, expected) << name << " in frame " << attribute[4];
+    EXPECT_EQ(attribute[2], d == 2 && f == 0 ? "Vector" : "Scalar");
   }
 }
 
@@ -159,7 +131,8 @@ TEST_F(Xdmf, CellsInAPlaneAreOneSurfaceAFrame) {
   const std::string text = document_of_a_run(2, true);
 
   const auto surfaces = matches(
-      text, R"re("Quadrilateral" NumberOfElements="2"><DataItem[^>]*>run\.h5:/points/cells<)re");
+      text,
+      R"re("Quadrilateral" NumberOfElements="2"[^>]*><DataItem[^>]*>run\.h5:/points/cells<)re");
   const auto positions = matches(text, R"re(run\.h5:([a-z/]+)/positions<)re");
 
   EXPECT_EQ(surfaces.size(), frames);
@@ -175,7 +148,7 @@ TEST_F(Xdmf, TimesKeepEveryBit) {
   const auto times = test::awkward_doubles(50);
   RunLayout only_particles = layout();
   only_particles.fields.resize(1);
-  const std::string text = xdmf_document(only_particles, times, "run.h5");
+  const std::string text = xdmf_document(only_particles, times, "run.h5", "run.xdmf.h5");
 
   const auto found = matches(text, R"re(<Time Value="([^"]+)"/>)re");
 
@@ -188,19 +161,23 @@ TEST_F(Xdmf, PointsWithoutFieldsAreLeftOut) {
   RunLayout only_particles = layout();
   only_particles.fields.resize(1);
 
-  const std::string text = xdmf_document(only_particles, std::vector<double>{0.0}, "run.h5");
+  const std::string text =
+      xdmf_document(only_particles, std::vector<double>{0.0}, "run.h5", "run.xdmf.h5");
 
-  EXPECT_EQ(text.find("Spatial"), std::string::npos);
   EXPECT_EQ(text.find("/xdmf/points"), std::string::npos);
 }
 
 TEST_F(Xdmf, NamesAreEscapedAndFailuresTold) {
-  const std::string text = xdmf_document(layout(), std::vector<double>{0.0}, "a&b<c>.h5");
-  EXPECT_THAT(text, HasSubstr("a&amp;b&lt;c&gt;.h5:/frames/pk1"));
+  const std::string text = xdmf_document(layout(), std::vector<double>{0.0}, "a&b<c>.h5", "<d>.h5");
+  EXPECT_THAT(text, HasSubstr("a&amp;b&lt;c&gt;.h5:/xdmf/particles"));
+  EXPECT_THAT(text, HasSubstr("&lt;d&gt;.h5:/0/pk1_xx"));
 
   const auto message = message_of<OutputError>(
       [&] { write_xdmf(directory / "none" / "run.xdmf", layout(), std::vector<double>{0.0}); });
   EXPECT_THAT(message, HasSubstr("run.xdmf"));
+  EXPECT_THAT(message_of<OutputError>(
+                  [&] { write_views(directory / "none" / "run.xdmf.h5", layout(), 1); }),
+              HasSubstr("run.xdmf.h5"));
 }
 
 }  // namespace
