@@ -143,8 +143,8 @@ std::vector<Freedom> freedoms(const QuadMesh& mesh, const SplitOutline& boundary
   return result;
 }
 
-/// Does an edge of the mesh's boundary run across a gap between two curves or the root of a part too
-/// thin for the lattice, instead of along the shape's boundary?
+/// Does an edge of the mesh's boundary run across a gap between two curves or the root of a part
+/// too thin for the lattice, instead of along the shape's boundary?
 bool has_stray_edge(const QuadMesh& mesh, const SplitOutline& boundary) {
   return std::ranges::any_of(free_edges(mesh.cells), [&](const DirectedEdge& edge) {
     const Vector<2> a = mesh.X.row(edge[0]).transpose(), b = mesh.X.row(edge[1]).transpose();
@@ -232,8 +232,7 @@ Particles<2> fitted(const Shape<2>& shape, double spacing, const Place& place) {
   if (!positive || std::holds_alternative<Box<2>>(base_of(shape).form) ||
       divides(bounding_box(shape), spacing))
     return fitted(make_lattice(shape, spacing, NodePlacement::on_boundary, place), shape, place);
-  return as_particles(blocks(shape, spacing, place), shape, spacing,
-                      Vector<2>::Constant(spacing));
+  return as_particles(blocks(shape, spacing, place), shape, spacing, Vector<2>::Constant(spacing));
 }
 
 }  // namespace tlsph

@@ -73,11 +73,10 @@ OutlineSections::OutlineSections(const Shape<2>& shape, double size) : size_(siz
   choose_lines(shape);
   for (OutlineSection& section : sections_) {
     const int a = normal_axis(section, merged * size_);
-    section.on_line = a >= 0 && std::ranges::any_of(lines_[static_cast<std::size_t>(a)],
-                                                    [&](double line) {
-                                                      return std::abs(line - section.at(0.0)(a)) <=
-                                                             merged * size_;
-                                                    });
+    section.on_line =
+        a >= 0 && std::ranges::any_of(lines_[static_cast<std::size_t>(a)], [&](double line) {
+          return std::abs(line - section.at(0.0)(a)) <= merged * size_;
+        });
     divide(section);
   }
   match_acute_corners();

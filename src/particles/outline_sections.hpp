@@ -19,9 +19,10 @@ struct OutlineSection {
   OutlineLoop pieces;
   double length = 0.0;  ///< [m]
   bool closed = false;
-  bool on_line = false;         ///< lies on a line between blocks
-  std::size_t next = 0;         ///< section that starts where this one ends
-  std::vector<double> stops{};  ///< distances [m] of the ends of the block edges, from 0 to `length`
+  bool on_line = false;  ///< lies on a line between blocks
+  std::size_t next = 0;  ///< section that starts where this one ends
+  std::vector<double>
+      stops{};  ///< distances [m] of the ends of the block edges, from 0 to `length`
 
   [[nodiscard]] Vector<2> at(double distance) const;
   [[nodiscard]] Vector<2> closest(const Vector<2>& x) const;
