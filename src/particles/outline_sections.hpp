@@ -14,6 +14,10 @@ namespace tlsph {
 /// Ascending coordinates [m] of the lines between blocks, per direction.
 using BlockLines = std::array<std::vector<double>, 2>;
 
+/// Must a node stand between the two pieces: at a corner (`is_corner`), and at any smaller turn
+/// between pieces longer than 1.5 spacings; between shorter ones it is part of a curve.
+[[nodiscard]] bool breaks(const OutlinePiece& piece, const OutlinePiece& next, double spacing);
+
 /// Pieces of the outline from corner to corner, body on the left; closed if the loop has no corner.
 struct OutlineSection {
   OutlineLoop pieces;

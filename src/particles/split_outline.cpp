@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "outline_sections.hpp"
 #include "tlsph/geometry/region.hpp"
 
 namespace tlsph {
@@ -37,7 +38,8 @@ SplitOutline::SplitOutline(const Particles<2>& lattice, const Shape<2>& shape)
     (on_lattice_line(piece) ? straight_ : curve_).push_back(piece);
   for (const auto& a : curve_)
     for (const auto& b : curve_)
-      if ((a.to - b.from).norm() <= tolerance() && is_corner(a, b)) kinks_.push_back(a.to);
+      if ((a.to - b.from).norm() <= tolerance() && breaks(a, b, lattice.spacing))
+        kinks_.push_back(a.to);
 }
 
 Vector<2> SplitOutline::closest_on_curve(const Vector<2>& x) const {
