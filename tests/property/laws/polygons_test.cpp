@@ -68,7 +68,7 @@ TEST(Polygons, AreFilledWithConvexCells) {
     longest = std::max(longest, longest_edge(body) / spacing);
     EXPECT_GE(jacobian, 0.0999 * spacing * spacing);
     EXPECT_GE(sine, 0.0999);
-    EXPECT_LE(longest_edge(body), 5.0 * spacing);
+    EXPECT_LE(longest_edge(body), 4.0 * spacing);
     EXPECT_NEAR(body.V.sum(), area(shape), 1e-10 * area(shape));
     EXPECT_GT(body.V.minCoeff(), 0.0);
     const Tensor<2> first = body.B.transpose() * body.X;
