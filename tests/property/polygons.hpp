@@ -57,7 +57,7 @@ inline Corners random_polygon(Random& random) {
     const double size = std::exp(between(std::log(2.5), std::log(24.0)));
     const double width = size * between(1.0, 3.0);
     Corners corners;
-    switch (static_cast<int>(between(0.0, 6.0))) {
+    switch (static_cast<int>(between(0.0, 7.0))) {
       case 0: {
         std::vector<double> angles(static_cast<std::size_t>(between(3.0, 9.0)));
         for (double& angle : angles) angle = between(0.0, 2.0 * std::numbers::pi);
@@ -91,6 +91,19 @@ inline Corners random_polygon(Random& random) {
                    {0.0, size}};
         if (random() < 0.0)
           for (auto& corner : corners) corner += 0.1 * size * Vector<2>(random(), random());
+        break;
+      }
+      case 5: {
+        const double depth = between(-0.9, 2.0) * size;  // of a notch, or height of a spike
+        const double half = std::abs(depth) * std::tan(between(0.174, 0.6));
+        const double middle = between(0.2, 0.8) * width;
+        corners = {{0.0, 0.0},
+                   {width, 0.0},
+                   {width, size},
+                   {middle + half, size},
+                   {middle + 0.3 * half * random(), size + depth},
+                   {middle - half, size},
+                   {0.0, size}};
         break;
       }
       default: {

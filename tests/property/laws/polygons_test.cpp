@@ -1,6 +1,6 @@
 /// Lattices fill every polygon that is not too thin for their spacing, and what is filled is right.
 ///
-/// TLSPH_POLYGONS in the environment sets the number of random polygons (default: 300).
+/// TLSPH_POLYGONS in the environment sets the number of random polygons (default: 200).
 
 #include <fmt/format.h>
 
@@ -18,7 +18,7 @@ namespace {
 
 int count_of_polygons() {
   const char* value = std::getenv("TLSPH_POLYGONS");
-  return value == nullptr ? 300 : std::atoi(value);
+  return value == nullptr ? 200 : std::atoi(value);
 }
 
 std::string text_of(const Corners& corners) {
