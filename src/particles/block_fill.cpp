@@ -32,8 +32,7 @@ struct OnSection {
 /// The blocks while they are built. Nodes of the outline come first.
 class Blocks {
  public:
-  Blocks(const Shape<2>& shape, double size)
-      : shape_(shape), size_(size), outline_(shape, size) {
+  Blocks(const Shape<2>& shape, double size) : shape_(shape), size_(size), outline_(shape, size) {
     place_outline();
     place_squares();
     failed_ = fill_rest();
@@ -99,7 +98,7 @@ bool Blocks::is_square(const Cell<2>& block) const {
   for (std::size_t k = 0; k < 4; ++k) {
     const DirectedEdge edge = {block[k], block[(k + 1) % 4]};
     const Vector<2>&a = X_[static_cast<std::size_t>(edge[0])],
-    &b = X_[static_cast<std::size_t>(edge[1])];
+          &b = X_[static_cast<std::size_t>(edge[1])];
     if (!clear(a) || !clear(0.5 * (a + b))) return false;
     if (!outline_edges_.contains(edge) && outline_.distance(0.5 * (a + b), false) < 1e-6 * size_)
       return false;
@@ -198,8 +197,8 @@ BlockFill Blocks::cells(double spacing) const {
     const auto [found, fresh] =
         middles.try_emplace({std::min(a, b), std::max(a, b)}, static_cast<int>(X.size()));
     if (!fresh) return found->second;
-    const auto on = outline_edges_.contains({a, b}) ? outline_edges_.find({a, b})
-                                                    : outline_edges_.find({b, a});
+    const auto on =
+        outline_edges_.contains({a, b}) ? outline_edges_.find({a, b}) : outline_edges_.find({b, a});
     if (on == outline_edges_.end()) {
       X.push_back(0.5 * (X[static_cast<std::size_t>(a)] + X[static_cast<std::size_t>(b)]));
     } else {

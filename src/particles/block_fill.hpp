@@ -4,10 +4,10 @@
 ///
 /// The body is first filled with blocks two spacings wide: squares of a lattice away from the
 /// outline, triangles and quadrilaterals between them and the outline (constrained Delaunay
-/// triangles, joined in pairs where that gives a good shape). Then every block is cut at the middles
-/// of its edges, a quadrilateral into four cells and a triangle into three: whatever the blocks
-/// are, all cells are convex quadrilaterals and meet edge to edge. Last, nodes near the outline move
-/// to where the worst cells are best.
+/// triangles, joined in pairs where that gives a good shape). Then every block is cut at the
+/// middles of its edges, a quadrilateral into four cells and a triangle into three: whatever the
+/// blocks are, all cells are convex quadrilaterals and meet edge to edge. Last, nodes near the
+/// outline move to where the worst cells are best.
 
 #include "quad_mesh.hpp"
 #include "tlsph/geometry/shape.hpp"

@@ -153,9 +153,8 @@ std::vector<Cell<2>> paired(const VectorField<2>& X, std::vector<Triangle>& tria
         if (quality >= least_paired) pairs.push_back({quality, cell, {t, found->second}});
       }
     }
-  std::ranges::stable_sort(pairs, [](const Pair& a, const Pair& b) {
-    return a.quality > b.quality;
-  });
+  std::ranges::stable_sort(pairs,
+                           [](const Pair& a, const Pair& b) { return a.quality > b.quality; });
   std::vector<char> used(triangles.size(), 0);
   std::vector<Cell<2>> cells;
   for (const Pair& pair : pairs) {

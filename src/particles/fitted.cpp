@@ -26,6 +26,8 @@ constexpr double clearance = 0.8;
 /// Of every cell (`cell_quality`): no corner Jacobian below that share of Δ², nor sine of a corner
 /// below it.
 constexpr double least_quality = 0.1;
+/// In spacings: longer cells of a layer leave sharp corners to too few nodes.
+constexpr double largest_edge = 4.0;
 /// Moves that leave at least this share of the lattice's Jacobian are always allowed.
 constexpr double enough_share = 0.6;
 constexpr int smoothing_rounds = 20;
@@ -143,8 +145,8 @@ std::vector<Freedom> freedoms(const QuadMesh& mesh, const SplitOutline& boundary
   return result;
 }
 
-/// Does an edge of the mesh's boundary run across a gap between two curves or the root of a part too
-/// thin for the lattice, instead of along the shape's boundary?
+/// Does an edge of the mesh's boundary run across a gap between two curves or the root of a part
+/// too thin for the lattice, instead of along the shape's boundary?
 bool has_stray_edge(const QuadMesh& mesh, const SplitOutline& boundary) {
   return std::ranges::any_of(free_edges(mesh.cells), [&](const DirectedEdge& edge) {
     const Vector<2> a = mesh.X.row(edge[0]).transpose(), b = mesh.X.row(edge[1]).transpose();
@@ -152,16 +154,28 @@ bool has_stray_edge(const QuadMesh& mesh, const SplitOutline& boundary) {
   });
 }
 
-/// Has a point of the outline no boundary node of the mesh within two spacings: is a part of the
-/// body without core cells lost?
+/// Is a corner no node, or has another point of the outline no boundary node within two spacings:
+/// is a part of the body without core cells lost?
 bool forgets_a_point(const QuadMesh& mesh, const SplitOutline& boundary, double spacing) {
   std::set<int> nodes;
   for (const auto& edge : free_edges(mesh.cells)) nodes.insert(edge.begin(), edge.end());
-  return std::ranges::any_of(boundary.samples(spacing), [&](const Vector<2>& point) {
-    return std::ranges::none_of(nodes, [&](int node) {
-      return (mesh.X.row(node).transpose() - point).norm() <= 2.0 * spacing;
-    });
-  });
+  const auto far_from = [&](double distance) {
+    return [&nodes, &mesh, distance](const Vector<2>& point) {
+      return std::ranges::none_of(nodes, [&](int node) {
+        return (mesh.X.row(node).transpose() - point).norm() <= distance;
+      });
+    };
+  };
+  return std::ranges::any_of(boundary.corners(), far_from(boundary.tolerance())) ||
+         std::ranges::any_of(boundary.samples(spacing), far_from(2.0 * spacing));
+}
+
+double longest_edge(const QuadMesh& mesh) {
+  double longest = 0.0;
+  for (const auto& cell : mesh.cells)
+    for (std::size_t k = 0; k < 4; ++k)
+      longest = std::max(longest, (mesh.X.row(cell[k]) - mesh.X.row(cell[(k + 1) % 4])).norm());
+  return longest;
 }
 
 /// The lattice's own cells up to a layer of others that joins them to the curve; nothing where the
@@ -174,7 +188,9 @@ std::optional<QuadMesh> layered(const Particles<2>& lattice, const SplitOutline&
   const double jacobian = lattice.spacings.prod();
   smooth(mesh, freedoms(mesh, boundary, *layer), smoothing_rounds, enough_share * jacobian,
          [&](const Vector<2>& x) { return boundary.closest_on_curve(x); });
-  if (has_stray_edge(mesh, boundary) || forgets_a_point(mesh, boundary, lattice.spacing)) return {};
+  if (has_stray_edge(mesh, boundary) || forgets_a_point(mesh, boundary, lattice.spacing) ||
+      longest_edge(mesh) > largest_edge * lattice.spacing)
+    return {};
   for (const auto& cell : mesh.cells)
     if (cell_quality(mesh.X, cell, lattice.spacing) < least_quality) return {};
   return mesh;
@@ -232,8 +248,7 @@ Particles<2> fitted(const Shape<2>& shape, double spacing, const Place& place) {
   if (!positive || std::holds_alternative<Box<2>>(base_of(shape).form) ||
       divides(bounding_box(shape), spacing))
     return fitted(make_lattice(shape, spacing, NodePlacement::on_boundary, place), shape, place);
-  return as_particles(blocks(shape, spacing, place), shape, spacing,
-                      Vector<2>::Constant(spacing));
+  return as_particles(blocks(shape, spacing, place), shape, spacing, Vector<2>::Constant(spacing));
 }
 
 }  // namespace tlsph

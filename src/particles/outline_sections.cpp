@@ -13,22 +13,12 @@ namespace {
 
 /// Points closer than this, in block sizes, are one.
 constexpr double merged = 1e-8;
-/// A smaller turn between two pieces that are both at least `long_piece` block sizes long is a
-/// corner too; between shorter ones, the pieces approximate a curve.
-constexpr double largest_smooth_cosine = 1.0 - 1e-10;
-constexpr double long_piece = 0.75;
 /// Lines between blocks stay that far apart, and the first stop of a section on a line from a
 /// corner that is on none, in block sizes.
 constexpr double least_line_gap = 0.75;
 constexpr double least_rest = 0.5;
 constexpr double largest_sweep = 0.5 * std::numbers::pi;
 constexpr double acute_cosine = 0.5;
-
-bool splits(const OutlinePiece& piece, const OutlinePiece& next, double size) {
-  return is_corner(piece, next) ||
-         (piece.normal(1.0).dot(next.normal(0.0)) < largest_smooth_cosine &&
-          std::min(piece.length(), next.length()) > long_piece * size);
-}
 
 /// The axis that a straight section is normal to; −1 for others.
 int normal_axis(const OutlineSection& section, double tolerance) {
@@ -46,6 +36,13 @@ void push_even(std::vector<double>& stops, double end, double size, double least
 }
 
 }  // namespace
+
+bool breaks(const OutlinePiece& piece, const OutlinePiece& next, double spacing) {
+  constexpr double smooth_cosine = 1.0 - 1e-10;
+  constexpr double long_piece = 1.5;
+  return is_corner(piece, next) || (piece.normal(1.0).dot(next.normal(0.0)) < smooth_cosine &&
+                                    std::min(piece.length(), next.length()) > long_piece * spacing);
+}
 
 Vector<2> OutlineSection::at(double distance) const {
   for (const OutlinePiece& piece : pieces) {
@@ -73,11 +70,10 @@ OutlineSections::OutlineSections(const Shape<2>& shape, double size) : size_(siz
   choose_lines(shape);
   for (OutlineSection& section : sections_) {
     const int a = normal_axis(section, merged * size_);
-    section.on_line = a >= 0 && std::ranges::any_of(lines_[static_cast<std::size_t>(a)],
-                                                    [&](double line) {
-                                                      return std::abs(line - section.at(0.0)(a)) <=
-                                                             merged * size_;
-                                                    });
+    section.on_line =
+        a >= 0 && std::ranges::any_of(lines_[static_cast<std::size_t>(a)], [&](double line) {
+          return std::abs(line - section.at(0.0)(a)) <= merged * size_;
+        });
     divide(section);
   }
   match_acute_corners();
@@ -94,7 +90,7 @@ double OutlineSections::distance(const Vector<2>& x, bool off_lines) const {
 void OutlineSections::add_loop(const OutlineLoop& loop) {
   std::size_t first = loop.size();  // the piece that starts at a corner
   for (std::size_t k = 0; k < loop.size(); ++k)
-    if (splits(loop[(k + loop.size() - 1) % loop.size()], loop[k], size_)) first = k;
+    if (breaks(loop[(k + loop.size() - 1) % loop.size()], loop[k], 0.5 * size_)) first = k;
   const bool closed = first == loop.size();
   const std::size_t begin = sections_.size();
   bool starts = true;
@@ -106,7 +102,7 @@ void OutlineSections::add_loop(const OutlineLoop& loop) {
     }
     sections_.back().pieces.push_back(piece);
     sections_.back().length += piece.length();
-    starts = !closed && splits(piece, loop[(first + k + 1) % loop.size()], size_);
+    starts = !closed && breaks(piece, loop[(first + k + 1) % loop.size()], 0.5 * size_);
   }
   sections_.back().next = begin;
   sections_.back().closed = closed;

@@ -14,14 +14,19 @@ namespace tlsph {
 /// Ascending coordinates [m] of the lines between blocks, per direction.
 using BlockLines = std::array<std::vector<double>, 2>;
 
+/// Must a node stand between the two pieces: at a corner (`is_corner`), and at any smaller turn
+/// between pieces longer than 1.5 spacings; between shorter ones it is part of a curve.
+[[nodiscard]] bool breaks(const OutlinePiece& piece, const OutlinePiece& next, double spacing);
+
 /// Pieces of the outline from corner to corner, body on the left; closed if the loop has no corner.
 struct OutlineSection {
   OutlineLoop pieces;
   double length = 0.0;  ///< [m]
   bool closed = false;
-  bool on_line = false;         ///< lies on a line between blocks
-  std::size_t next = 0;         ///< section that starts where this one ends
-  std::vector<double> stops{};  ///< distances [m] of the ends of the block edges, from 0 to `length`
+  bool on_line = false;  ///< lies on a line between blocks
+  std::size_t next = 0;  ///< section that starts where this one ends
+  std::vector<double>
+      stops{};  ///< distances [m] of the ends of the block edges, from 0 to `length`
 
   [[nodiscard]] Vector<2> at(double distance) const;
   [[nodiscard]] Vector<2> closest(const Vector<2>& x) const;

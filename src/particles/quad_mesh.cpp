@@ -137,24 +137,28 @@ double cell_quality(const VectorField<2>& X, const Cell<2>& cell, double size) {
 
 void improve(QuadMesh& mesh, const std::vector<Track>& tracks, int rounds, double size,
              double enough) {
-  constexpr double steepness = 10.0;
+  constexpr double steepness = 20.0;
+  constexpr double least_gain = 1e-3;
   const Links links(mesh);
   double worst = 0.0;
   const auto badness = [&](std::size_t node) {
     double sum = 0.0;
     worst = 1.0;
     for (const int cell : links.cells[node]) {
-      const double quality =
-          cell_quality(mesh.X, mesh.cells[static_cast<std::size_t>(cell)], size);
+      const double quality = cell_quality(mesh.X, mesh.cells[static_cast<std::size_t>(cell)], size);
       worst = std::min(worst, quality);
       sum += std::exp(-steepness * quality);
     }
     return sum;
   };
+  // A node is tried again only after one of the cells around it has changed.
+  std::vector<char> waits(tracks.size(), 1);
   for (int round = 0; round < rounds; ++round) {
-    bool moved = false;
+    bool any = false;
     for (std::size_t node = 0; node < tracks.size(); ++node) {
-      if (!tracks[node]) continue;
+      if (!tracks[node] || !waits[node]) continue;
+      waits[node] = 0;
+      bool moved = false;
       const auto q = static_cast<Index>(node);
       double least = badness(node);
       if (worst > enough) continue;
@@ -162,7 +166,7 @@ void improve(QuadMesh& mesh, const std::vector<Track>& tracks, int rounds, doubl
         const Vector<2> here = mesh.X.row(q).transpose();
         mesh.X.row(q) = tracks[node](target).transpose();
         const double now = badness(node);
-        if (now < least * (1.0 - 1e-6)) {
+        if (now < least * (1.0 - least_gain)) {
           least = now;
           return moved = true;
         }
@@ -179,8 +183,13 @@ void improve(QuadMesh& mesh, const std::vector<Track>& tracks, int rounds, doubl
           while (attempt(mesh.X.row(q).transpose() + by)) {
           }
         }
+      if (!moved) continue;
+      any = true;
+      for (const int cell : links.cells[node])
+        for (const int other : mesh.cells[static_cast<std::size_t>(cell)])
+          waits[static_cast<std::size_t>(other)] = 1;
     }
-    if (!moved) return;
+    if (!any) return;
   }
 }
 

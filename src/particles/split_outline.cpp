@@ -1,8 +1,11 @@
 #include "split_outline.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
+#include "outline_sections.hpp"
 #include "tlsph/geometry/region.hpp"
 
 namespace tlsph {
@@ -33,11 +36,19 @@ Foot closest(const std::vector<OutlinePiece>& pieces, const Vector<2>& x) {
 
 SplitOutline::SplitOutline(const Particles<2>& lattice, const Shape<2>& shape)
     : box_(bounding_box(shape)), spacing_(lattice.spacings) {
-  for (const auto& piece : outline(shape))
-    (on_lattice_line(piece) ? straight_ : curve_).push_back(piece);
-  for (const auto& a : curve_)
-    for (const auto& b : curve_)
-      if ((a.to - b.from).norm() <= tolerance() && is_corner(a, b)) kinks_.push_back(a.to);
+  const std::vector<OutlinePiece> pieces = outline(shape);
+  std::ranges::partition_copy(pieces, std::back_inserter(straight_), std::back_inserter(curve_),
+                              [this](const OutlinePiece& piece) { return on_lattice_line(piece); });
+  const auto breaks_of = [&](const std::vector<OutlinePiece>& of) {
+    std::vector<Vector<2>> points;
+    for (const auto& a : of)
+      for (const auto& b : of)
+        if ((a.to - b.from).norm() <= tolerance() && breaks(a, b, lattice.spacing))
+          points.push_back(a.to);
+    return points;
+  };
+  kinks_ = breaks_of(curve_);
+  corners_ = breaks_of(pieces);
 }
 
 Vector<2> SplitOutline::closest_on_curve(const Vector<2>& x) const {

@@ -28,8 +28,10 @@ class SplitOutline {
   /// Where the curve meets the straight piece that x lies on, of several such points the closest to
   /// x; nothing if they do not meet.
   [[nodiscard]] std::optional<Vector<2>> junction(const Vector<2>& x) const;
-  /// Points where the curve turns by more than 20°.
+  /// Points of the curve that must be nodes (`breaks`).
   [[nodiscard]] const std::vector<Vector<2>>& kinks() const { return kinks_; }
+  /// Points of the whole outline that must be nodes.
+  [[nodiscard]] const std::vector<Vector<2>>& corners() const { return corners_; }
 
   /// Points of the whole outline, at most `step` [m] apart.
   [[nodiscard]] std::vector<Vector<2>> samples(double step) const;
@@ -40,7 +42,7 @@ class SplitOutline {
   Box<2> box_;
   Vector<2> spacing_;
   std::vector<OutlinePiece> straight_, curve_;
-  std::vector<Vector<2>> kinks_;
+  std::vector<Vector<2>> kinks_, corners_;
 };
 
 }  // namespace tlsph

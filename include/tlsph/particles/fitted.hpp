@@ -25,11 +25,11 @@ namespace tlsph {
 /// afresh, row by row with y fastest as nearly as their places allow; patches are those of a
 /// lattice; Σ V differs from the area of the shape by the segments between chords and arcs only.
 ///
-/// In every cell each corner has a Jacobian (cross product of the edges that meet there) of at least
-/// 0.1 Δ² and a sine of at least 0.1. Simple polygons with angles from 20° to 340°, edges of at
-/// least 2 Δ and no two edges without a common corner nearer than 2 Δ are always filled.
-/// InputError, at `place`, for other shapes where that is impossible (a spacing too coarse for the
-/// curvature or for the gap between two boundaries), or if there are no cells.
+/// In every cell each corner has a Jacobian (cross product of the edges that meet there) of at
+/// least 0.1 Δ² and a sine of at least 0.1; no edge is longer than 4 Δ. Simple polygons with angles
+/// from 20° to 340°, edges of at least 2 Δ and no two edges without a common corner nearer than 2 Δ
+/// are always filled. InputError, at `place`, for other shapes where that is impossible (a spacing
+/// too coarse for the curvature or for the gap between two boundaries), or if there are no cells.
 [[nodiscard]] Particles<2> fitted(const Particles<2>& lattice, const Shape<2>& shape,
                                   const Place& place = {});
 

@@ -139,23 +139,76 @@ TEST_P(Refusals, NamePlaceAndRemedy) {
       HasSubstr("a.toml:2:1: body: spacing 0.25 is too coarse to follow the boundary near"));
 }
 
-/// Parts and gaps narrower than the layer would be lost in silence.
-INSTANTIATE_TEST_SUITE_P(
-    TooNarrow, Refusals,
-    testing::Values(
-        FitCase{"hole_near_an_edge",
-                make_difference(make_box<2>({0, 0}, {4, 4}), {make_disc({1, 2}, 0.95)})},
-        FitCase{"two_holes_near_each_other",
-                make_difference(make_box<2>({0, 0}, {4, 4}),
-                                {make_disc({1.2, 2}, 0.7), make_disc({2.8, 2}, 0.8)})},
-        FitCase{"thin_ring", make_difference(make_disc({0, 0}, 1.0), {make_disc({0, 0}, 0.7)})},
-        FitCase{"sliver",
-                make_difference(make_box<2>({0, 0}, {4, 4}),
-                                {make_polygon({{0.3, -1}, {1.3, -1}, {1.31, 5}, {0.31, 5}})})},
-        FitCase{"fin",
-                make_polygon(
-                    {{0, 0}, {2, 0.1}, {2, 1.85}, {4, 1.9}, {4, 2.1}, {2, 2.15}, {2, 4}, {0, 4}})}),
-    [](const auto& test) { return std::string(test.param.name); });
+/// The widths that the parts and gaps have, from wide enough for two cells to far too narrow.
+std::vector<FitCase> narrow(double width) {
+  const double half = 0.5 * width;
+  return {
+      {"hole_near_an_edge",
+       make_difference(make_box<2>({0, 0}, {4, 4}), {make_disc({1, 2}, 1 - width)})},
+      {"two_holes_near_each_other",
+       make_difference(make_box<2>({0, 0}, {4, 4}),
+                       {make_disc({1.2, 2}, 0.8 - half), make_disc({2.8, 2}, 0.8 - half)})},
+      {"thin_ring",
+       make_difference(make_disc({0, 0}, 1.0), {make_disc({0.15 - half, 0}, 0.85 - half)})},
+      {"sliver", make_difference(make_box<2>({0, 0}, {4, 4}),
+                                 {make_polygon({{width, -1}, {1.3, -1}, {1.3, 5}, {width, 5}})})},
+      {"fin", make_polygon({{0, 0},
+                            {2, 0.1},
+                            {2, 2 - half},
+                            {4, 2.05 - half},
+                            {4, 2.05 + half},
+                            {2, 2 + half},
+                            {2, 4},
+                            {0, 4}})}};
+}
+
+INSTANTIATE_TEST_SUITE_P(TooNarrow, Refusals, testing::ValuesIn(narrow(0.004)),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+class Narrow : public testing::TestWithParam<FitCase> {};
+
+TEST_P(Narrow, PartsAreFilled) {
+  const Shape<2>& shape = GetParam().shape;
+  const auto body = fitted(make_lattice(shape, 0.25), shape);
+  EXPECT_NEAR(body.V.sum(), area(shape), 0.4 * boundary_measure(shape) * 0.25 * 0.25);
+  for (const auto& cell : body.cells)
+    EXPECT_GT(least_jacobian<2>(body.X, cell), 0.099 * 0.25 * 0.25);
+  for (const int node : body.find("boundary")->nodes)
+    EXPECT_NEAR(signed_distance(shape, Vector<2>(body.X.row(node).transpose())), 0.0, 1e-9);
+  const Tensor<2> first = body.B.transpose() * body.X;
+  EXPECT_NEAR((first - body.V.sum() * Tensor<2>::Identity()).norm(), 0.0, 1e-12);
+}
+
+INSTANTIATE_TEST_SUITE_P(OneSpacing, Narrow, testing::ValuesIn(narrow(0.25)),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+TEST(FittedNodes, RefusalNamesTheHexagonalLayout) {
+  const Shape<2> sheet = narrow(0.004).front().shape;
+  EXPECT_THAT(refusal([&] { (void)fitted(sheet, 0.25); }),
+              HasSubstr("body.layout = \"hexagonal\""));
+}
+
+/// An edge along the lattice meets a slanted one at 135°.
+TEST(FittedNodes, FollowAChamferAtEverySpacing) {
+  const Shape<2> plate = make_polygon({{0, 0}, {2, 0}, {2, 0.5}, {1.5, 1}, {0, 1}});
+  for (const double spacing : {0.1, 0.05, 0.025, 0.0125, 0.00625}) {
+    const auto body = fitted(plate, spacing);
+    EXPECT_NEAR(body.V.sum(), 1.875, 1e-12) << spacing;
+    for (const auto& cell : body.cells)
+      EXPECT_GT(least_jacobian<2>(body.X, cell), 0.25 * spacing * spacing) << spacing;
+  }
+}
+
+/// The height is no whole number of spacings: lattice lines are stretched to it.
+TEST(FittedNodes, NeedNoSpacingThatDividesAPolygon) {
+  const Shape<2> quadrilateral = make_polygon({{0, 0}, {2, 0.3}, {2, 1.17}, {0, 0.83}});
+  for (const double spacing : {0.25, 0.17, 0.1, 0.073})
+    EXPECT_NEAR(fitted(quadrilateral, spacing).V.sum(), area(quadrilateral), 1e-12) << spacing;
+  EXPECT_THAT(refusal([&] {
+                (void)fitted(make_box<2>({0, 0}, {1, 0.83}), 0.25);
+              }),
+              HasSubstr("does not divide the body"));
+}
 
 TEST(FittedNodes, NeedALatticeWithCells) {
   const Shape<2> disc = make_disc({0, 0}, 1.0);
