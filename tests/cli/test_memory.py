@@ -33,15 +33,15 @@ BODIES = {
     "stress-point": ((), 3e-3),
     "stress-point, linear law": (("material.law=linear-elastic",), 3e-3),
     "stress-point, jittered": (("body.jitter=0.2",), 4e-3),
-    "stress-point, wider, with pairs": (("kernel.support=1.8", "stabiliser.kind=pair"), 8e-3),
-    "variational": (("formulation=variational",), 8e-3),
-    "variational, wider": (("formulation=variational", "kernel.support=3.5"), 8e-3),
-    "variational, damped": (("formulation=variational", "stabiliser.as=viscosity"), 8e-3),
+    "stress-point, wider, with pairs": (("kernel.support=1.8", "stabiliser.kind=pair"), 1e-2),
+    "variational": (("formulation=variational",), 1e-2),
+    "variational, wider": (("formulation=variational", "kernel.support=3.5"), 1e-2),
+    "variational, damped": (("formulation=variational", "stabiliser.as=viscosity"), 1.25e-2),
     "variational, no stabiliser": (("formulation=variational", "stabiliser.kind=none"), 6e-3),
-    "consistent": (("formulation=consistent", "body.jitter=0.2"), 0.025),
-    "mirror": (("formulation=mirror",), 8e-3),
+    "consistent": (("formulation=consistent", "body.jitter=0.2"), 0.04),
+    "mirror": (("formulation=mirror",), 1.25e-2),
     "thesis": (("formulation=thesis",), 2e-2),
-    "hexagonal": (("body.layout=hexagonal",), 8e-3),
+    "hexagonal": (("body.layout=hexagonal",), 1e-2),
 }
 
 
