@@ -245,7 +245,8 @@ void step_limits(CaseRun& run) {
   constexpr const char* source = "computed critical step";
   for (const char* degrees : {"[1, 1]", "[2, 1]"}) {
     std::vector<std::string> overrides = {std::string("consistency=") + degrees,
-                                          "body.spacing=0.015625", "time.end=2e-4"};
+                                          "body.spacing=0.015625", "time.allow_unstable=true",
+                                          "time.end=2e-4"};
     const double critical = run.scene("step", "plate.toml", overrides).summary.dt_critical;
     overrides.back() = "time.end=3e-2";
     for (const double share : {0.99, 1.03}) {

@@ -68,6 +68,7 @@ StepFollower<D>::StepFollower(const Discretisation<D>& disc, const State<D>& sta
       first_(critical_.dt),
       limit_(first_),
       step_(safety * first_),
+      steady_(step_),
       watch_(std::make_unique<sweep::StrainWatch<D>>(disc)),
       H_estimate_(watch_->strains(state)),
       H_check_(H_estimate_),
@@ -170,15 +171,23 @@ void StepFollower<D>::check(State<D>& state) {
   const auto change = watch_->change(state, H_estimate_, H_check_);
   limit_ = std::min(critical_.dt, first_) * share_of_estimate(gamma_ * change.stiffening);
   change_ = 0.0;
-  if (step_ <= kept_ * limit_) return;
+  if (steady_ <= kept_ * limit_) return;
   const double credit = first_credit + credit_a_step * static_cast<double>(state.step);
   if (price_of_estimate * static_cast<double>(estimates_) <= credit) estimate(state);
-  if (step_ > kept_ * limit_) fall_to(safety_ * limit_);
+  if (steady_ > kept_ * limit_) steady_ = std::min(safety_ * limit_, notch * steady_);
 }
 
+/// Short steps while a point deforms fast, and the steady one again when that would let no point
+/// deform by half as much as is allowed. `most` is a bound of the deformation a step, `rate` what
+/// has been seen of it.
 template <int D>
-void StepFollower<D>::fall_to(double step) {
-  if (step < step_) step_ = std::min(step, notch * step_);
+void StepFollower<D>::take_care(const State<D>& state, double rate, double most) {
+  const double allowed = state.last_dt * largest_deformation_a_step;
+  if (step_ * rate > allowed)
+    step_ = std::min(allowed / rate, notch * step_);
+  else if (2.0 * steady_ * most <= allowed)
+    step_ = steady_;
+  step_ = std::min(step_, steady_);
 }
 
 /// |ΔH| ≤ Σ_q |w_sq| max |Δu|, over all directions.
@@ -199,10 +208,11 @@ bool StepFollower<D>::follow(State<D>& state) {
   const double change = watch_->deformation(state, H_check_);
   const long quiet = std::max(1L, state.step - last_look_);
   const double rate = std::max(change - change_, 0.0) / static_cast<double>(quiet);
+  const double most = (change + change_) / static_cast<double>(quiet);
   change_ = change;
   const double before = step_;
   if (change >= 0.5 * deformation_) check(state);
-  if (rate > 0.0) fall_to(state.last_dt * largest_deformation_a_step / rate);
+  take_care(state, rate, most);
   // Until half the allowance is used up, and not much longer than it has been quiet.
   const double wanted = rate > 0.0 ? 0.5 * deformation_ / rate : 1e9;
   const long interval = std::clamp(static_cast<long>(std::min(wanted, 1e6)), 1L,
@@ -221,6 +231,7 @@ std::vector<double> StepFollower<D>::numbers() const {
           critical_.growth.value_or(std::nan("")),
           limit_,
           step_,
+          steady_,
           change_,
           static_cast<double>(last_look_),
           static_cast<double>(next_look_),
@@ -244,16 +255,17 @@ void StepFollower<D>::restore(const std::vector<double>& n, const std::vector<do
   if (!std::isnan(n.at(4))) critical_.growth = n.at(4);
   limit_ = n.at(5);
   step_ = n.at(6);
-  change_ = n.at(7);
-  last_look_ = static_cast<long>(n.at(8));
-  next_look_ = static_cast<long>(n.at(9));
-  path_known_ = n.at(10) != 0.0;
-  path_ = n.at(11);
-  last_path_ = n.at(12);
-  path_at_look_ = n.at(13);
-  looks_ = static_cast<long>(n.at(14));
-  bounds_ = static_cast<long>(n.at(15));
-  estimates_ = static_cast<long>(n.at(16));
+  steady_ = n.at(7);
+  change_ = n.at(8);
+  last_look_ = static_cast<long>(n.at(9));
+  next_look_ = static_cast<long>(n.at(10));
+  path_known_ = n.at(11) != 0.0;
+  path_ = n.at(12);
+  last_path_ = n.at(13);
+  path_at_look_ = n.at(14);
+  looks_ = static_cast<long>(n.at(15));
+  bounds_ = static_cast<long>(n.at(16));
+  estimates_ = static_cast<long>(n.at(17));
   const auto take = [](const std::vector<double>& from, std::vector<float>& to) {
     if (from.size() != to.size()) throw std::invalid_argument("strains of another body");
     std::ranges::transform(from, to.begin(), [](double h) { return static_cast<float>(h); });

@@ -4,7 +4,8 @@
 ///
 /// A central difference is symplectic for equal steps only: a step that shrinks and grows with the
 /// motion pumps energy into it. So the step only falls, by a notch or more at a time, and stays as
-/// it is once the stiffest state has been met.
+/// it is once the stiffest state has been met. It is shorter for a while only where a material point
+/// deforms by a tenth in a step, as in a body that is struck.
 ///
 /// K depends on the state through the tangents A_s of the material points alone, so what an
 /// estimate at one state says of all others follows from Weyl's inequality:
@@ -52,10 +53,10 @@ class StepFollower {
 
   /// The last estimate.
   [[nodiscard]] const CriticalStep& critical() const { return critical_; }
-  /// The step that is safe now and was safe before: it only falls [s].
+  /// The step that is safe now [s].
   [[nodiscard]] double step() const { return step_; }
   /// Starts with a shorter step [s].
-  void shorten(double step) { step_ = std::min(step_, step); }
+  void shorten(double step) { step_ = steady_ = std::min(steady_, step); }
   /// The strains of a state, and the largest relative deformation of a material point since.
   [[nodiscard]] std::vector<float> strains(const State<D>& state) const;
   [[nodiscard]] double deformation(const State<D>& state, const std::vector<float>& before) const;
@@ -69,7 +70,7 @@ class StepFollower {
     last_path_ = distance;
   }
   /// At every step, the state evaluated unless a sweep reads its strains; most of the time nothing
-  /// happens. True when `step()` has fallen. Takes memory only for a new estimate, which also
+  /// happens. True when `step()` has changed. Takes memory only for a new estimate, which also
   /// leaves H of the state evaluated.
   bool follow(State<D>& state);
 
@@ -84,7 +85,7 @@ class StepFollower {
   [[nodiscard]] std::vector<double> numbers() const;
   [[nodiscard]] const std::vector<float>& estimated_at() const { return H_estimate_; }
   [[nodiscard]] const std::vector<float>& checked_at() const { return H_check_; }
-  static constexpr std::size_t number_count = 17;
+  static constexpr std::size_t number_count = 18;
   /// Entries as `numbers` and the fields gave them.
   void restore(const std::vector<double>& numbers, const std::vector<double>& estimated_at,
                const std::vector<double>& checked_at);
@@ -94,7 +95,7 @@ class StepFollower {
   [[nodiscard]] double share_of_estimate(double added) const;
   void estimate(State<D>& state);
   void check(State<D>& state);
-  void fall_to(double step);
+  void take_care(const State<D>& state, double rate, double most);
 
   [[nodiscard]] double unit_stiffness() const;
 
@@ -108,6 +109,7 @@ class StepFollower {
   double first_;  ///< critical step of the first estimate [s]
   double limit_;  ///< critical step by the last bound [s]
   double step_;
+  double steady_;  ///< the step where nothing is in a hurry; it only falls [s]
   std::unique_ptr<sweep::StrainWatch<D>> watch_;
   std::vector<float> H_estimate_, H_check_;  ///< by direction
   bool path_known_ = false;
