@@ -75,9 +75,7 @@ StabiliserScene read_stabiliser(const TableView& view, const Scene& scene) {
   stabiliser.kind = view.choice_or("kind", standard);
   if (const Node* coefficient = view.find("coefficient"); coefficient && coefficient->is_number())
     stabiliser.coefficient = coefficient->number();
-  stabiliser.action = view.choice_or("as", scene.formulation == Formulation::consistent
-                                               ? StabiliserAction::viscosity
-                                               : StabiliserAction::stiffness);
+  stabiliser.action = view.choice_or("as", stabiliser.action);
   return stabiliser;
 }
 

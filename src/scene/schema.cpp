@@ -122,10 +122,13 @@ std::vector<Key> all_keys() {
        choices<StabiliserKind>(),
        "pair: error of linear extrapolation between neighbours; cell: hourglass mode of a cell"},
       {"stabiliser", "coefficient", number | text, "", "", "\"auto\"", "auto | >= 0",
-       "strength, as a share of the elastic one; auto: the value recommended for the kind"},
-      {"stabiliser", "as", text, "", "", "(stiffness; consistent: viscosity)",
+       "strength as a share of the shear modulus (cell: of E/(1 - nu^2)), as viscosity of density times "
+       "speed of shear waves times spacing; auto: the value recommended for the kind"},
+      {"stabiliser", "as", text, "", "", "\"stiffness\"",
        choices<StabiliserAction>(),
-       "acts on displacements (conserves energy) or on velocities (dissipates)"},
+       "acts on displacements, which keeps energy and momenta, or on velocities: that dissipates, "
+       "lets a body under load creep in modes that its gradients do not see, and keeps the angular "
+       "momentum of small motions only"},
 
       {"material", "law", text, "", "", "\"neo-hookean\"", choices<LawKind>(),
        "stress from strain"},

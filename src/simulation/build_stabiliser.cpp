@@ -2,22 +2,21 @@
 
 #include "parts.hpp"
 #include "tlsph/materials/lame.hpp"
-#include "tlsph/operators/gradients.hpp"
+#include "tlsph/operators/pair_gradient.hpp"
 #include "tlsph/operators/stabilisers.hpp"
 
 namespace tlsph::parts {
 namespace {
 
-/// Multiples of the modulus (stiffness) or of ρ c_p Δ (viscosity) that `coefficient = "auto"`
+/// Multiples of the modulus (stiffness) or of ρ c_s Δ (viscosity) that `coefficient = "auto"`
 /// means.
 constexpr double auto_cell_stiffness = 4.0 / 3.0;  // of E/(1−ν²): exact bending of a rectangle
 constexpr double auto_pair_stiffness = 0.1;        // of μ
-constexpr double auto_viscosity = 0.2;             // of ρ c_p Δ
-constexpr double auto_viscosity_quadratic = 0.1;   // the same beside gradients of order two
-
-/// Support of the narrow linear gradient the pair error is measured with, in spacings: it reaches
-/// the diagonal neighbours of a lattice.
-constexpr double pair_support = 1.515;
+/// The same where gradients are of order two and have an exact adjoint: their pair errors vanish on
+/// quadratic fields, and irregular particles need it.
+constexpr double auto_consistent_stiffness = 0.3;
+constexpr double auto_viscosity = 0.4;            // of ρ c_s Δ
+constexpr double auto_viscosity_quadratic = 0.2;  // the same beside gradients of order two
 
 /// E/(1−ν²) in plane strain, E in plane stress: the modulus of a fibre that bends.
 double bending_modulus(const MaterialScene& material) {
@@ -26,22 +25,22 @@ double bending_modulus(const MaterialScene& material) {
              : material.young / (1.0 - material.poisson * material.poisson);
 }
 
-template <int D>
-double unit(const Scene& scene, const Discretisation<D>& disc, std::size_t k) {
-  const MaterialScene& material = scene.materials[k];
-  if (scene.stabiliser.action == StabiliserAction::viscosity) {
-    const double modulus = tangent<D>(disc.regions[k].law, Tensor<D>::Zero())(0, 0);
-    return material.density * std::sqrt(modulus / material.density) * disc.spacing;
-  }
-  return scene.stabiliser.kind == StabiliserKind::cell
-             ? bending_modulus(material)
-             : material.young / (2.0 * (1.0 + material.poisson));
+/// [Pa] as stiffness, ρ c_s Δ [Pa s] as viscosity: of shear, which the modes of a stabiliser are,
+/// so that it stays in proportion as ν nears ½.
+double unit(const Scene& scene, const MaterialScene& material, double spacing) {
+  const double mu = material.young / (2.0 * (1.0 + material.poisson));
+  if (scene.stabiliser.action == StabiliserAction::viscosity)
+    return std::sqrt(material.density * mu) * spacing;
+  return scene.stabiliser.kind == StabiliserKind::cell ? bending_modulus(material) : mu;
 }
 
 double automatic(const Scene& scene) {
+  const bool quadratic = scene.kernel.order > 1;
   if (scene.stabiliser.action == StabiliserAction::viscosity)
-    return scene.kernel.order > 1 ? auto_viscosity_quadratic : auto_viscosity;
-  return scene.stabiliser.kind == StabiliserKind::cell ? auto_cell_stiffness : auto_pair_stiffness;
+    return quadratic ? auto_viscosity_quadratic : auto_viscosity;
+  if (scene.stabiliser.kind == StabiliserKind::cell) return auto_cell_stiffness;
+  return quadratic && scene.formulation == Formulation::consistent ? auto_consistent_stiffness
+                                                                   : auto_pair_stiffness;
 }
 
 template <int D>
@@ -50,7 +49,8 @@ ScalarField strengths(const Scene& scene, const Discretisation<D>& disc, const V
   ScalarField result(at.rows());
   for (Index s = 0; s < at.rows(); ++s) {
     const Vector<D> x = at.row(s).transpose();
-    result[s] = coefficient * unit<D>(scene, disc, material_at<D>(scene, x, 1e-9 * disc.spacing));
+    const std::size_t material = material_at<D>(scene, x, 1e-9 * disc.spacing);
+    result[s] = coefficient * unit(scene, scene.materials[material], disc.spacing);
   }
   return result;
 }
@@ -86,9 +86,8 @@ void add_stabiliser(const Scene& scene, Discretisation<D>& disc) {
           "use \"none\"");
     }
   } else {
-    const auto narrow =
-        collocated_gradient<D>(WendlandC2{}, pair_support * disc.spacing, disc.particles.X,
-                               disc.particles.V, Correction::gradient);
+    const auto narrow = pair_gradient<D>(disc.particles.X, disc.particles.V, disc.spacing,
+                                         scene.kernel.order);
     S = pair_stabiliser<D>(narrow, disc.particles.X, disc.particles.V, disc.spacing,
                            strengths<D>(scene, disc, disc.particles.X));
   }

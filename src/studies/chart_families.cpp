@@ -52,13 +52,13 @@ std::vector<Choices> choices_in(int dimension) {
                  plane ? std::vector<std::optional<double>>{3.6, 3.1, 2.6}
                        : std::vector<std::optional<double>>{3.1, 2.6, 2.1},
                  {plane ? 2 : 1},
-                 {viscous, pair, no_stabiliser}});
+                 {pair, viscous, no_stabiliser}});
   all.push_back({Formulation::variational,
                  adjoint,
                  {2.5, 1.6, 2.1, 3.1, 3.6},
                  {1, 2},
                  plane ? held : std::vector{no_stabiliser, pair, viscous}});
-  if (plane) all.push_back({Formulation::consistent, adjoint, {2.6, 2.1}, {1}, {viscous, pair}});
+  if (plane) all.push_back({Formulation::consistent, adjoint, {2.6, 2.1}, {1}, {pair, viscous}});
   all.push_back({Formulation::mirror, ghosted, {2.5, 1.5, 3.5}, {1}, {no_stabiliser}});
   all.push_back({Formulation::thesis, ghosted, {2.5, 1.5, 3.5}, {1}, {no_stabiliser}});
   all.push_back({Formulation::stress_point, adjoint, {1.8, 2.5}, {1, 2}, {no_stabiliser, pair}});

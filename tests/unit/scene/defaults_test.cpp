@@ -89,6 +89,8 @@ INSTANTIATE_TEST_SUITE_P(
         FormulationDefaults{"mirror", 2, "modified-mollifier", 2.5, plain, StabiliserKind::none},
         FormulationDefaults{"variational", 1, "wendland-c2", 2.5, corrected, StabiliserKind::none},
         FormulationDefaults{"variational", 2, "wendland-c2", 2.5, corrected, StabiliserKind::pair},
+        FormulationDefaults{"consistent", 1, "wendland-c2", 3.1, corrected, StabiliserKind::pair},
+        FormulationDefaults{"consistent", 2, "wendland-c2", 3.6, corrected, StabiliserKind::pair},
         FormulationDefaults{"stress-point", 1, "wendland-c2", {}, corrected, StabiliserKind::none},
         FormulationDefaults{
             "stress-point", 2, "wendland-c2", {}, corrected, StabiliserKind::cell}));
