@@ -195,13 +195,14 @@ Particles<2> fitted(const Particles<2>& lattice, const Shape<2>& shape, const Pl
   particles.spacings = lattice.spacings;
   particles.V = node_volumes<2>(mesh.X, mesh.cells);
   const std::vector<Shape<2>> holes = holes_of(shape);
+  const OutlineNames names(shape);
   std::vector<LabelledFace<2>> faces;
   for (const auto& edge : free_edges(mesh.cells)) {
     const Vector<2> a = mesh.X.row(edge[0]).transpose(), b = mesh.X.row(edge[1]).transpose();
-    faces.push_back(
-        labelled({edge, face_area(a, b)}, {a, b}, boundary.box(), holes, boundary.tolerance()));
+    faces.push_back(labelled({edge, face_area(a, b)}, {a, b}, names, holes, boundary.tolerance()));
   }
   particles.patches = make_patches(faces, holes.size());
+  particles.edges = make_edges(faces);
   particles.B = lumped_areas<2>(mesh.X.rows(), particles.find("boundary")->faces);
   particles.X = std::move(mesh.X);
   particles.cells = std::move(mesh.cells);
