@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "parts.hpp"
 #include "savings.hpp"
 #include "tlsph/dynamics/critical_step.hpp"
 #include "tlsph/dynamics/sweep.hpp"
@@ -79,6 +80,17 @@ Steps steps_of(const Scene& scene, const Discretisation<D>& disc) {
   return steps;
 }
 
+/// What a named box holds.
+template <int D>
+std::string tag_line(const NamedBox& tag, const Particles<D>& particles) {
+  const Patch<D>& patch = *particles.find(tag.name);
+  const std::size_t nodes = patch.nodes.size();
+  const std::string held = fmt::format("{} particle{}", nodes, nodes == 1 ? "" : "s");
+  if (D == 1) return fmt::format("  tag {}: {}\n", tag.name, held);
+  return fmt::format("  tag {}: {}, {:.6g} m of the boundary\n", tag.name, held,
+                     patch_extent(patch));
+}
+
 template <int D>
 std::string plan_in(const Scene& scene) {
   const std::optional<CorrectionCost> correction = correction_cost<D>(scene);
@@ -138,6 +150,9 @@ std::string plan_in(const Scene& scene) {
   text += fmt::format("boundary: {} components held, {} moved, {} loads\n",
                       disc.constraints.fixed.size() + disc.constraints.held.size(),
                       disc.constraints.moved.size(), disc.loads.size());
+  for (const NamedBox& tag : scene.body.tags) text += tag_line<D>(tag, disc.particles);
+  for (const LoadedPatch& load : parts::loaded_patches<D>(scene, disc))
+    text += "  " + load.text() + "\n";
   if (correction) text += correction_line(scene, *correction, D);
   Steps steps{"time step: known once the gradient is corrected, in a run\n"};
   if (patient) steps = steps_of<D>(scene, disc);
@@ -146,6 +161,8 @@ std::string plan_in(const Scene& scene) {
                                         correction->factor.bytes
                                   : operator_bytes(scene, static_cast<double>(disc.nodes()));
   text += fmt::format("memory about {:.3g} MB\n", bytes * 1e-6);
+  for (const std::string& warning : parts::warnings<D>(scene, disc))
+    text += "warning: " + warning + "\n";
   const std::string spare = savings::of_reduction(scene, disc.nodes()) + savings::of_law(scene) +
                             savings::of_support<D>(scene, disc, steps.critical) +
                             savings::of_output<D>(scene, disc, steps.number);
