@@ -158,9 +158,7 @@ GhostGradient<D>::GhostGradient(const LatticeStencil<D>& stencil, const Particle
                                 const Edges<D>& edges, GhostClosure closure, SolverChoice solver,
                                 const Place& solver_place) {
   if (!particles.frame)
-    throw InputError(
-        "formulation: \"thesis\" needs an undisturbed interval or box of particles; use "
-        "\"variational\" or \"stress-point\" for other bodies");
+    throw InputError("formulation: \"thesis\" needs an undisturbed interval or box of particles");
   for (const int count : particles.frame->counts)
     if (count - 1 < 2 * stencil.reach)
       throw InputError(

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "tlsph/geometry/region.hpp"
 
@@ -27,18 +28,18 @@ Patch<D> make_patch(std::string name, std::vector<Face<D>> faces) {
 }
 
 LabelledFace<2> labelled(const Face<2>& face, const std::vector<Vector<2>>& witnesses,
-                         const Box<2>& box, const std::vector<Shape<2>>& holes, double tolerance) {
+                         const OutlineNames& names, const std::vector<Shape<2>>& holes,
+                         double tolerance) {
   LabelledFace<2> result{face};
   const auto all = [&](auto holds) {
     return std::all_of(witnesses.begin(), witnesses.end(), holds);
   };
-  for (int side = 0; side < 4; ++side) {
-    const int a = side / 2;
-    const double bound = side % 2 == 0 ? box.lower(a) : box.upper(a);
-    if (all([&](const Vector<2>& x) { return std::abs(x(a) - bound) <= tolerance; }))
-      result.side = side;
-  }
-  if (result.side != no_side) return result;
+  const NamedPiece& own = names.closest(0.5 * (witnesses[0] + witnesses[1]), face.area);
+  result.edge = own.edge;
+  if (own.side != no_side && all([&](const Vector<2>& x) {
+        return std::abs(x(own.side / 2) - own.piece.from(own.side / 2)) <= tolerance;
+      }))
+    result.side = own.side;
   for (std::size_t k = holes.size(); k-- > 0;)
     if (all([&](const Vector<2>& x) { return std::abs(depth(holes[k], x)) <= tolerance; }))
       result.hole = static_cast<int>(k) + 1;
@@ -57,14 +58,27 @@ std::vector<Patch<D>> make_patches(const std::vector<LabelledFace<D>>& faces, st
   for (int side = 0; side < 2 * D; ++side)
     add(side_names[static_cast<std::size_t>(side)],
         [side](const auto& face) { return face.side == side; });
-  add("hole", [](const auto& face) { return face.hole > 0; });
+  add("hole", [](const auto& face) { return face.hole > 0 && face.side == no_side; });
   for (int k = 1; k <= static_cast<int>(holes); ++k)
     add("hole" + std::to_string(k), [k](const auto& face) { return face.hole == k; });
-  add("outer", [](const auto& face) { return face.hole == 0; });
+  add("outer", [](const auto& face) { return face.hole == 0 || face.side != no_side; });
   add("boundary", [](const auto&) { return true; });
   return patches;
 }
 
+template <int D>
+std::vector<Patch<D>> make_edges(const std::vector<LabelledFace<D>>& faces) {
+  std::map<int, std::vector<Face<D>>> by_edge;
+  for (const auto& labelled : faces)
+    if (labelled.edge > 0) by_edge[labelled.edge].push_back(labelled.face);
+  std::vector<Patch<D>> edges;
+  for (auto& [number, members] : by_edge)
+    edges.push_back(make_patch<D>("edge" + std::to_string(number), std::move(members)));
+  return edges;
+}
+
+template std::vector<Patch<1>> make_edges(const std::vector<LabelledFace<1>>&);
+template std::vector<Patch<2>> make_edges(const std::vector<LabelledFace<2>>&);
 template std::vector<Patch<1>> make_patches(const std::vector<LabelledFace<1>>&, std::size_t);
 template std::vector<Patch<2>> make_patches(const std::vector<LabelledFace<2>>&, std::size_t);
 template VectorField<1> lumped_areas(Index, const std::vector<Face<1>>&);

@@ -130,6 +130,7 @@ Particles<2> make_cloud(VectorField<2> X, const Shape<2>& shape, double spacing,
   const std::vector<LabelledFace<2>> faces = outline_faces(X, shape, tolerance, places);
   Particles<2> particles;
   particles.patches = make_patches<2>(faces, holes_of(shape).size());
+  particles.edges = make_edges<2>(faces);
   const Patch<2>& boundary = *particles.find("boundary");
   particles.triangles = triangulate(X, boundary.faces, places);
   refuse_long_faces(X, particles.triangles, places);
@@ -173,11 +174,17 @@ Particles<D> with_named_nodes(Particles<D> particles, const std::string& name,
   const auto inside = [&](int node) {
     return std::binary_search(patch.nodes.begin(), patch.nodes.end(), node);
   };
-  if (const Patch<D>* boundary = particles.find("boundary"))
-    std::copy_if(boundary->faces.begin(), boundary->faces.end(), std::back_inserter(patch.faces),
+  const auto append = [&](const std::vector<Face<D>>& edge) {
+    const std::size_t first = patch.faces.size();
+    std::copy_if(edge.begin(), edge.end(), std::back_inserter(patch.faces),
                  [&](const Face<D>& face) {
                    return std::all_of(face.nodes.begin(), face.nodes.end(), inside);
                  });
+    const bool part = D == 2 && patch.faces.size() - first < edge.size();
+    for (std::size_t f = first; f < patch.faces.size(); ++f) patch.faces[f].cut = part;
+  };
+  if (D == 1) append(particles.find("boundary")->faces);
+  for (const Patch<D>& edge : particles.edges) append(edge.faces);
   particles.patches.push_back(std::move(patch));
   return particles;
 }

@@ -210,20 +210,21 @@ QuadMesh blocks(const Shape<2>& shape, double spacing, const Place& place) {
 
 Particles<2> as_particles(QuadMesh mesh, const Shape<2>& shape, double spacing,
                           const Vector<2>& spacings) {
-  const Box<2> box = bounding_box(shape);
-  mesh = renumbered(mesh, box.lower.x(), spacings.x());
+  mesh = renumbered(mesh, bounding_box(shape).lower.x(), spacings.x());
   Particles<2> particles;
   particles.spacing = spacing;
   particles.spacings = spacings;
   particles.V = node_volumes<2>(mesh.X, mesh.cells);
   const std::vector<Shape<2>> holes = holes_of(shape);
+  const OutlineNames names(shape);
   std::vector<LabelledFace<2>> faces;
   for (const auto& edge : free_edges(mesh.cells)) {
     const Vector<2> a = mesh.X.row(edge[0]).transpose(), b = mesh.X.row(edge[1]).transpose();
     faces.push_back(
-        labelled({edge, face_area(a, b)}, {a, b}, box, holes, 1e-8 * spacings.minCoeff()));
+        labelled({edge, face_area(a, b)}, {a, b}, names, holes, 1e-8 * spacings.minCoeff()));
   }
   particles.patches = make_patches(faces, holes.size());
+  particles.edges = make_edges(faces);
   particles.B = lumped_areas<2>(mesh.X.rows(), particles.find("boundary")->faces);
   particles.X = std::move(mesh.X);
   particles.cells = std::move(mesh.cells);

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "tlsph/geometry/region.hpp"
@@ -46,7 +47,8 @@ template <int D>
 struct Raster {
   Division<D> division;
   LatticeFrame<D> cell_frame, node_frame;
-  std::vector<int> kind;  // per cell
+  std::vector<int> kind;                   // per cell
+  std::optional<OutlineNames> names = {};  // in 2D
 
   Vector<D> centre(const std::array<int, D>& at) const {
     Vector<D> x;
@@ -73,6 +75,7 @@ Raster<D> rasterise(const Shape<D>& shape, double spacing, const Place& place) {
     total *= static_cast<std::size_t>(division.cells[a]);
   }
   raster.kind.assign(total, in_body);
+  if constexpr (D == 2) raster.names.emplace(shape);
 
   const Shape<D> base = base_of(shape);
   const std::vector<Shape<D>> holes = holes_of(shape);
@@ -166,7 +169,17 @@ void append_faces(const Raster<D>& raster, int cell, const Cell<D>& nodes,
     if (kind == in_body) continue;
     Face<D> face{{}, side_area<D>(side, raster.cell_frame.spacing)};
     for (std::size_t k = 0; k < D; ++k) face.nodes[k] = nodes[side.corners[k]];
-    faces.push_back({face, on_box ? static_cast<int>(s) : no_side, kind == off_base ? 0 : kind});
+    LabelledFace<D> labelled{face, on_box ? static_cast<int>(s) : no_side,
+                             kind == off_base ? 0 : kind};
+    if constexpr (D == 2) {
+      Vector<2> middle = raster.centre(at);
+      const auto axis = static_cast<int>(side.axis);
+      middle(axis) += 0.5 * side.step * raster.cell_frame.spacing(axis);
+      const NamedPiece& edge = raster.names->closest(middle, face.area);
+      if (edge.side == static_cast<int>(s)) labelled.side = edge.side;
+      labelled.edge = edge.edge;
+    }
+    faces.push_back(labelled);
   }
 }
 
@@ -230,6 +243,7 @@ Particles<D> make_lattice(const Shape<D>& shape, double spacing, NodePlacement p
   else
     fill_on_boundary(raster, particles, faces);
   particles.patches = make_patches(faces, holes_of(shape).size());
+  particles.edges = make_edges(faces);
   particles.B = lumped_areas<D>(particles.size(), particles.find("boundary")->faces);
   if (std::holds_alternative<Box<D>>(shape.form))
     particles.frame = centred ? raster.cell_frame : raster.node_frame;

@@ -215,8 +215,10 @@ Particles<D> with_exact_moments(Particles<D> particles, QuadratureDegrees degree
   correct_shares<D>(particles.X, faces, rule, degrees.boundary, place);
   std::map<std::array<int, D>, std::array<double, D>> shares;
   for (const Face<D>& face : faces) shares[face.nodes] = face.share;
-  for (Patch<D>& patch : particles.patches)
-    for (Face<D>& face : patch.faces) face.share = shares.at(face.nodes);
+  for (auto* list : {&particles.patches, &particles.edges})
+    for (Patch<D>& patch : *list)
+      for (Face<D>& face : patch.faces)
+        if (!face.cut) face.share = shares.at(face.nodes);
   particles.B = lumped_areas<D>(particles.size(), faces);
   return particles;
 }

@@ -119,7 +119,7 @@ std::vector<LabelledFace<2>> outline_faces(VectorField<2>& X, const Shape<2>& sh
   refuse_outside(X, shape, tolerance, places);
   const std::vector<OutlineLoop> loops = outline_loops(shape);
   const Stops stops(loops, X, tolerance);
-  const Box<2> box = bounding_box(shape);
+  const OutlineNames names(shape);
   const std::vector<Shape<2>> holes = holes_of(shape);
   std::vector<LabelledFace<2>> faces;
   for (std::size_t l = 0; l < loops.size(); ++l) {
@@ -146,7 +146,7 @@ std::vector<LabelledFace<2>> outline_faces(VectorField<2>& X, const Shape<2>& sh
         middle = on;
       }
       faces.push_back(
-          labelled({{from, to}, face_area(a, b)}, {a, b, middle}, box, holes, tolerance));
+          labelled({{from, to}, face_area(a, b)}, {a, b, middle}, names, holes, tolerance));
     }
   }
   return faces;

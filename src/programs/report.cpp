@@ -31,8 +31,9 @@ std::string run_report(const Summary& s, const std::filesystem::path& out) {
         "errors against the exact solution: displacement {:.3e}, velocity {:.3e}, "
         "stress {:.3e}\n",
         s.errors->displacement, s.errors->velocity, s.errors->stress);
+  for (const LoadedPatch& load : s.loads) text += load.text() + '\n';
+  for (const std::string& warning : s.warnings) text += "warning: " + warning + '\n';
   if (s.hyperbolicity_lost) text += s.hyperbolicity_lost->text() + '\n';
-  for (const std::string& warning : s.warnings) text += fmt::format("warning: {}\n", warning);
   if (s.interrupted)
     text += fmt::format("interrupted; the state is saved, --resume goes on from here\n");
   return text + fmt::format("results in {}\n", out.string());

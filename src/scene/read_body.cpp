@@ -94,8 +94,8 @@ void check_cloud(const BodyScene& body, const TableView& view, int dimension,
   if (!is_adjoint(formulation))
     throw InputError(view.place_of(key),
                      fmt::format("{} needs nodes on a square lattice; irregular and hexagonal "
-                                 "ones: consistent, variational or stress-point",
-                                 name_of(formulation)));
+                                 "ones: {}",
+                                 name_of(formulation), adjoint_formulations()));
   if (body.placement == Placement::cell_centred)
     throw InputError(view.place_of("placement"),
                      fmt::format("body.{} puts nodes on the boundary; allowed: on-boundary", key));
@@ -156,8 +156,10 @@ BodyScene read_body(const TableView& view, int dimension, Formulation formulatio
   if (body.fit && !may_fit)
     throw InputError(
         view.place_of("fit"),
-        "nodes can follow the boundary in 2D, placed on it, with formulation = "
-        "\"stress-point\", \"consistent\" or \"variational\" only; allowed here: false");
+        fmt::format(
+            "nodes can follow the boundary in 2D, placed on it, with formulation = {} only; "
+            "allowed here: false",
+            adjoint_formulations()));
   body.jitter = view.number("jitter");
   body.seed = static_cast<std::uint64_t>(view.integer("seed"));
   check_cloud(body, view, dimension, formulation);

@@ -42,13 +42,14 @@ void check_mirror(const Scene& scene) {
   if (!is_box(scene))
     throw InputError(scene.formulation_place,
                      "mirror reflects about straight, axis-aligned edges: the shape must be an "
-                     "interval or a box; other shapes: variational or stress-point");
+                     "interval or a box; other shapes: " +
+                         adjoint_formulations());
   for (const auto& boundary : scene.boundaries)
     for (const auto& load : boundary.traction)
       if (load.component != normal_axis(scene, boundary.where))
-        throw InputError(boundary.place,
-                         "mirror takes loads normal to the edge only; shear loads: "
-                         "variational or stress-point");
+        throw InputError(
+            boundary.place,
+            "mirror takes loads normal to the edge only; shear loads: " + adjoint_formulations());
 }
 
 /// Formulations with ghosts know one displacement for a whole edge.
@@ -58,9 +59,8 @@ void check_held(const Scene& scene) {
     if (!boundary.held.empty())
       throw InputError(boundary.place,
                        fmt::format("{} cannot keep an edge at an initial displacement that differs "
-                                   "from node to node; give displacement = {{ x = … }}, or use "
-                                   "variational or stress-point",
-                                   name_of(scene.formulation)));
+                                   "from node to node; give displacement = {{ x = … }}, or use {}",
+                                   name_of(scene.formulation), adjoint_formulations()));
 }
 
 void check_kernel(const Scene& scene, const TableView& root) {
@@ -78,9 +78,8 @@ void check_order(const Scene& scene, const TableView& root) {
   if (scene.kernel.order == 1) return;
   const Place place = root.table("kernel").place_of("order");
   if (!is_adjoint(scene.formulation))
-    throw InputError(place, fmt::format("{} uses plain SPH sums; allowed: 1 (order 2: variational, "
-                                        "consistent or stress-point)",
-                                        name_of(scene.formulation)));
+    throw InputError(place, fmt::format("{} uses plain SPH sums; allowed: 1 (order 2: {})",
+                                        name_of(scene.formulation), adjoint_formulations()));
   if (scene.kernel.correction != GradientCorrection::least_squares)
     throw InputError(place, fmt::format("the correction \"{}\" is exact for linear fields only; "
                                         "allowed: 1 (order 2: least-squares)",
@@ -118,9 +117,8 @@ void check_placement(const Scene& scene, const TableView& root) {
                                  name));
   if (scene.body.jitter > 0.0 && !is_adjoint(scene.formulation))
     throw InputError(body.place_of("jitter"),
-                     fmt::format("{} needs nodes on a lattice; allowed: 0 (irregular nodes: "
-                                 "consistent, variational or stress-point)",
-                                 name));
+                     fmt::format("{} needs nodes on a lattice; allowed: 0 (irregular nodes: {})",
+                                 name, adjoint_formulations()));
 }
 
 void check_stabiliser(const Scene& scene, const TableView& root) {

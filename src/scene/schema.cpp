@@ -67,25 +67,29 @@ std::vector<Key> all_keys() {
        "corners among them; those on its outline make the boundary. Without volumes each node has "
        "its Voronoi cell; a tag names nodes for [[boundary]] where, several separated by spaces. "
        "Nodes in an order that jumps about are put in strips; run.h5 says which line each is. "
-       "For consistent, variational and stress-point (one point per edge of the triangles between "
-       "them; locks as poisson nears 0.5). One kernel.support serves them all, so their distances "
-       "should not differ by more than about half"},
+       "For " +
+           adjoint_formulations() +
+           " (one point per edge of the triangles between "
+           "them; locks as poisson nears 0.5). One kernel.support serves them all, so their "
+           "distances "
+           "should not differ by more than about half"},
       {"body", "spacing", number, "", "m", "(required; of a cloud: estimated)", "> 0",
        "distance of neighbouring nodes, taken to the nearest division of the body; a change of "
        "more "
        "than 1 % is refused. Of a cloud: the unit of kernel.support"},
       {"body", "layout", text, "", "", "\"square\"", choices<Layout>(),
        "rows and columns, or rows shifted by half a spacing so that each node has six neighbours "
-       "(2D, consistent, variational and stress-point; see cloud)"},
+       "(2D, " +
+           adjoint_formulations() + "; see cloud)"},
       {"body", "placement", text, "", "", "\"on-boundary\"", choices<Placement>(),
        "nodes on the boundary (with half and quarter volumes), or at the centres of the cells"},
-      {"body", "fit", flag, "", "", "(true for stress-point and variational, on-boundary, 2D)", "",
-       "nodes follow curved and slanted edges instead of approaching them in stairs"},
+      {"body", "fit", flag, "", "", "(true for " + adjoint_formulations() + ", on-boundary, 2D)",
+       "", "nodes follow curved and slanted edges instead of approaching them in stairs"},
       {"body", "jitter", number, "", "spacings", "0", "[0, 0.4]",
        "largest random shift of interior nodes"},
       {"body", "seed", integer, "", "", "1", ">= 0", "of the random shifts"},
       {"body", "tags", tables, "tag", "", optional, "",
-       "names for groups of nodes, beside left, right, top, bottom, outer and hole"},
+       "names for parts of the body, beside those that boundary.where lists"},
 
       {"shape", "interval", numbers, "", "m", optional, "", "1D: [from, to]"},
       {"shape", "box", points, "", "m", optional, "",
@@ -98,9 +102,13 @@ std::vector<Key> all_keys() {
       {"disc", "centre", numbers, "", "m", required, "", "[x, y]"},
       {"disc", "radius", number, "", "m", required, "> 0", ""},
 
-      {"tag", "name", text, "", "", required, "", "what [[boundary]] where calls these nodes"},
+      {"tag", "name", text, "", "", required, "", "what [[boundary]] where calls this part"},
       {"tag", "box", points | numbers, "", "m", required, "",
-       "[[x0, y0], [x1, y1]], in 1D [from, to]: the nodes meant"},
+       "[[x0, y0], [x1, y1]], in 1D [from, to]: fixed, held, symmetry and displacement act on the "
+       "nodes in it, traction on all of the boundary in it, cut where it leaves the box (plan says "
+       "how much of both). A box around one node loads the edges next to that node as far as the "
+       "box "
+       "reaches"},
 
       {"kernel", "family", text, "", "", "(wendland-c2; thesis and mirror: modified-mollifier)",
        kernel_choices(), "shape of the kernel"},
@@ -148,12 +156,23 @@ std::vector<Key> all_keys() {
       {"region", "density", number, "", "kg/m^3", "(of [material])", "> 0", "reference density"},
 
       {"boundary", "where", text, "", "", required, "",
-       "a patch: left, right, top, bottom, outer, hole or the name of a tag"},
+       "a patch. left, right, bottom, top: the straight edges of the outer boundary that face "
+       "that way, of several the outermost; edge1, edge2 …: one edge, from corner (more than 20°) "
+       "to "
+       "corner, in the order of the shape (a box: bottom, right, top, left; a polygon: from its "
+       "first "
+       "corner on; a difference: edges of its first shape, then of the others); hole1, hole2 …: "
+       "all "
+       "that the first, second … shape taken away leaves; hole: all that such shapes leave, "
+       "without "
+       "left, right, bottom and top; outer: the rest; boundary: all; or the name of a tag. In 1D "
+       "left, "
+       "right, outer, boundary and tags. A wrong name is answered by the list, with places"},
       {"boundary", "fixed", flag | text | texts, "", "", optional, "x | y",
        "held at zero displacement: true, or the components held"},
       {"boundary", "held", flag | text | texts, "", "", optional, "x | y",
-       "kept at the displacement of t = 0, for a body that starts stretched; variational and "
-       "stress-point only"},
+       "kept at the displacement of t = 0, for a body that starts stretched; for " +
+           adjoint_formulations()},
       {"boundary", "symmetry", flag, "", "", "false", "",
        "the displacement normal to the (straight) patch is zero"},
       {"boundary", "displacement", table, "motion", "m", optional, "", "prescribed motion"},

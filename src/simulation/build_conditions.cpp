@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,17 +14,42 @@ namespace tlsph::parts {
 namespace {
 
 template <int D>
+std::string text_of(const Vector<D>& x) {
+  if constexpr (D == 1) return fmt::format("{:.4g}", x[0]);
+  return fmt::format("({:.4g}, {:.4g})", x[0], x[D - 1]);
+}
+
+/// A patch and the box around it, "left (0, 0) to (0, 1)".
+template <int D>
+std::string name_and_place(const Particles<D>& particles, const Patch<D>& patch) {
+  if (patch.nodes.empty()) return patch.name;
+  const auto X = particles.X(patch.nodes, Eigen::all);
+  const Vector<D> lower = X.colwise().minCoeff().transpose();
+  const Vector<D> upper = X.colwise().maxCoeff().transpose();
+  if (lower == upper) return fmt::format("{} {}", patch.name, text_of<D>(lower));
+  return fmt::format("{} {} to {}", patch.name, text_of<D>(lower), text_of<D>(upper));
+}
+
+template <int D>
 std::string patch_names(const Particles<D>& particles) {
-  std::string text;
-  for (const Patch<D>& patch : particles.patches) text += (text.empty() ? "" : ", ") + patch.name;
-  return text;
+  constexpr std::size_t most_edges = 24;
+  std::vector<std::string> names;
+  for (const Patch<D>& patch : particles.patches)
+    names.push_back(name_and_place<D>(particles, patch));
+  for (std::size_t k = 0; k < std::min(most_edges, particles.edges.size()); ++k)
+    names.push_back(name_and_place<D>(particles, particles.edges[k]));
+  if (particles.edges.size() > most_edges)
+    names.push_back(fmt::format("… {}", particles.edges.back().name));
+  return fmt::format("{}", fmt::join(names, "; "));
 }
 
 template <int D>
 const Patch<D>& patch_of(const Particles<D>& particles, const BoundaryScene& boundary) {
   if (const Patch<D>* patch = particles.find(boundary.where)) return *patch;
-  throw InputError(boundary.place, fmt::format("the body has no boundary \"{}\"; it has {}",
-                                               boundary.where, patch_names<D>(particles)));
+  throw InputError(boundary.place,
+                   fmt::format("the body has no boundary \"{}\"; it has, with the smallest box "
+                               "around each [m]: {}",
+                               boundary.where, patch_names<D>(particles)));
 }
 
 bool is_zero(const Curve& curve) {
@@ -104,6 +130,8 @@ template <int D>
 int normal_axis(const Patch<D>& patch, const Place& place) {
   int axis = -1;
   for (const Face<D>& face : patch.faces) {
+    const auto has = [&](int node) { return std::ranges::binary_search(patch.nodes, node); };
+    if (!std::ranges::all_of(face.nodes, has)) continue;  // moves with a particle that is free
     Index direction = 0;
     const double largest = face.area.cwiseAbs().maxCoeff(&direction);
     const bool aligned = face.area.cwiseAbs().sum() - largest <= 1e-9 * largest;
@@ -114,8 +142,8 @@ int normal_axis(const Patch<D>& patch, const Place& place) {
     axis = static_cast<int>(direction);
   }
   if (axis < 0)
-    throw InputError(place, fmt::format("\"{}\" has no boundary faces, only particles; it can be "
-                                        "fixed or moved, not loaded or mirrored",
+    throw InputError(place, fmt::format("symmetry: \"{}\" has no boundary between its particles; "
+                                        "fix components by name instead",
                                         patch.name));
   return axis;
 }
@@ -127,6 +155,13 @@ void add_conditions(const Scene& scene, Discretisation<D>& disc) {
   std::set<std::pair<std::string, int>> booked;  // reactions of these patches and components
   for (const BoundaryScene& boundary : scene.boundaries) {
     const Patch<D>& patch = patch_of<D>(particles, boundary);
+    const bool constrained = !boundary.fixed.empty() || !boundary.held.empty() ||
+                             boundary.symmetry || !boundary.motion.empty();
+    if (constrained && patch.nodes.empty())
+      throw InputError(boundary.place,
+                       fmt::format("\"{}\" holds a part of the boundary but no particle; it can be "
+                                   "loaded, not held or moved",
+                                   patch.name));
     for (const int component : boundary.fixed) constraints.fix(patch, component, boundary);
     for (const int component : boundary.held) constraints.hold(patch, component, boundary);
     if (boundary.symmetry) {
@@ -151,7 +186,9 @@ void add_conditions(const Scene& scene, Discretisation<D>& disc) {
     if (loaded && patch.faces.empty())
       throw InputError(
           boundary.place,
-          fmt::format("\"{}\" has no boundary faces to load, only particles", patch.name));
+          fmt::format("\"{}\" holds particles but no part of the boundary; it can be held or "
+                      "moved, not loaded",
+                      patch.name));
     if (boundary.normal_traction)
       disc.loads.push_back(normal_traction<D>(patch, *boundary.normal_traction));
     for (const ComponentCurve& traction : boundary.traction)

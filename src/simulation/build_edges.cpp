@@ -73,8 +73,8 @@ Edge<D> read_edge(const Scene& scene, std::string_view name, int b, Discretisati
       if (traction.component != b)
         throw InputError(boundary.place,
                          fmt::format("formulation \"{}\" takes loads normal to an edge only; use "
-                                     "\"stress-point\" or \"variational\" for tangential ones",
-                                     name_of(scene.formulation)));
+                                     "{} for tangential ones",
+                                     name_of(scene.formulation), adjoint_formulations()));
       // A vector along the axis pulls at the upper edge and pushes at the lower one.
       const bool lower = name == edge_names[static_cast<std::size_t>(b)][0];
       load = lower ? negated(traction.curve) : traction.curve;
@@ -106,9 +106,8 @@ void refuse_tangential_strain(const Scene& scene, const Edges<2>& edges) {
           scene.formulation_place,
           fmt::format(
               "\"{}\" cannot extend the displacement beyond the free edge \"{}\", which strains "
-              "along itself; give the neighbouring edges symmetry = true, or use \"stress-point\" "
-              "or \"variational\"",
-              name_of(scene.formulation), edge_names[b][side]));
+              "along itself; give the neighbouring edges symmetry = true, or use {}",
+              name_of(scene.formulation), edge_names[b][side], adjoint_formulations()));
     }
 }
 
@@ -117,11 +116,10 @@ void refuse_tangential_strain(const Scene& scene, const Edges<2>& edges) {
 template <int D>
 Edges<D> build_edges(const Scene& scene, Discretisation<D>& disc) {
   if (!disc.particles.frame)
-    throw InputError(
-        scene.formulation_place,
-        fmt::format("\"{}\" needs an undisturbed interval or box of particles on the "
-                    "boundary; use \"variational\" or \"stress-point\" for other bodies",
-                    name_of(scene.formulation)));
+    throw InputError(scene.formulation_place,
+                     fmt::format("\"{}\" needs an undisturbed interval or box of particles on the "
+                                 "boundary; for other bodies use {}",
+                                 name_of(scene.formulation), adjoint_formulations()));
   for (const BoundaryScene& boundary : scene.boundaries) {
     bool known = false;
     for (std::size_t b = 0; b < D; ++b)

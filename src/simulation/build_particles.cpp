@@ -183,7 +183,8 @@ Particles<D> build_particles(const Scene& scene) {
   for (const NamedBox& box : scene.body.tags)
     particles = with_named_box<D>(std::move(particles), box.name,
                                   Eigen::Map<const Vector<D>>(box.lower.data()),
-                                  Eigen::Map<const Vector<D>>(box.upper.data()), box.place);
+                                  Eigen::Map<const Vector<D>>(box.upper.data()), box.place,
+                                  scene.body.fit ? &shape : nullptr);
   return particles;
 }
 

@@ -4,6 +4,7 @@
 #include "tlsph/materials/lame.hpp"
 #include "tlsph/operators/pair_gradient.hpp"
 #include "tlsph/operators/stabilisers.hpp"
+#include "tlsph/scene/names.hpp"
 
 namespace tlsph::parts {
 namespace {
@@ -62,10 +63,8 @@ void add_stabiliser(const Scene& scene, Discretisation<D>& disc) {
   const StabiliserScene& stabiliser = scene.stabiliser;
   if (stabiliser.kind == StabiliserKind::none) return;
   if (!disc.adjoint)
-    throw InputError(
-        stabiliser.place,
-        "a stabiliser goes with adjoint formulations (stress-point, consistent, variational); use "
-        "kind = \"none\"");
+    throw InputError(stabiliser.place, "a stabiliser goes with formulation = " +
+                                           adjoint_formulations() + "; use kind = \"none\"");
   SparseMatrix S;
   if (stabiliser.kind == StabiliserKind::cell) {
     if constexpr (D == 2) {

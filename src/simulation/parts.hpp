@@ -5,6 +5,7 @@
 #include "tlsph/boundary/extension.hpp"
 #include "tlsph/dynamics/critical_step.hpp"
 #include "tlsph/simulation/builder.hpp"
+#include "tlsph/simulation/summary.hpp"
 
 namespace tlsph::parts {
 
@@ -15,6 +16,15 @@ void add_materials(const Scene& scene, Discretisation<D>& disc);
 /// Constraints and loads from the scene's boundaries, and inverse masses.
 template <int D>
 void add_conditions(const Scene& scene, Discretisation<D>& disc);
+
+/// The loads of the scene's boundaries, in their order.
+template <int D>
+[[nodiscard]] std::vector<LoadedPatch> loaded_patches(const Scene& scene,
+                                                      const Discretisation<D>& disc);
+
+/// What the results of the scene suffer from though it runs, a sentence each.
+template <int D>
+[[nodiscard]] std::vector<std::string> warnings(const Scene& scene, const Discretisation<D>& disc);
 
 /// The edges of a box as `mirror` and `thesis` need them; adds their signals.
 template <int D>

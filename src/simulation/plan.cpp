@@ -102,6 +102,17 @@ double run_bytes(const Scene& scene, const Discretisation<D>& disc,
                              std::max(start, savings::frame_bytes<D>(scene, disc)));
 }
 
+/// What a named box holds.
+template <int D>
+std::string tag_line(const NamedBox& tag, const Particles<D>& particles) {
+  const Patch<D>& patch = *particles.find(tag.name);
+  const std::size_t nodes = patch.nodes.size();
+  const std::string held = fmt::format("{} particle{}", nodes, nodes == 1 ? "" : "s");
+  if (D == 1) return fmt::format("  tag {}: {}\n", tag.name, held);
+  return fmt::format("  tag {}: {}, {:.6g} m of the boundary\n", tag.name, held,
+                     patch_extent(patch));
+}
+
 template <int D>
 std::string plan_in(const Scene& scene) {
   forget_peak_memory();
@@ -167,9 +178,14 @@ std::string plan_in(const Scene& scene) {
   text += fmt::format("boundary: {} components held, {} moved, {} loads\n",
                       disc.constraints.fixed.size() + disc.constraints.held.size(),
                       disc.constraints.moved.size(), disc.loads.size());
+  for (const NamedBox& tag : scene.body.tags) text += tag_line<D>(tag, disc.particles);
+  for (const LoadedPatch& load : parts::loaded_patches<D>(scene, disc))
+    text += "  " + load.text() + "\n";
   if (correction) text += correction_line(scene, *correction, D);
   text += steps.text;
   text += fmt::format("memory about {:.3g} MB\n", 1e-6 * memory);
+  for (const std::string& warning : parts::warnings<D>(scene, disc))
+    text += "warning: " + warning + "\n";
   const std::string spare = savings::of_reduction(scene, disc.nodes()) + savings::of_law(scene) +
                             savings::of_support<D>(scene, disc, steps.critical) +
                             savings::of_output<D>(scene, disc, steps.number);

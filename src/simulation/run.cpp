@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "memory.hpp"
+#include "parts.hpp"
 #include "run_loop.hpp"
 #include "stopwatch.hpp"
 #include "tlsph/core/free_cores.hpp"
@@ -43,6 +44,8 @@ void describe(const Scene& scene, const Discretisation<D>& disc, Summary& summar
   summary.particles = disc.nodes();
   summary.points = disc.points.size();
   summary.spacing = disc.spacing;
+  summary.loads = parts::loaded_patches<D>(scene, disc);
+  summary.warnings = parts::warnings<D>(scene, disc);
   const VectorOperator<D>& G = disc.ghosts ? disc.ghosts->plain_gradient() : disc.gradient;
   if (disc.ghosts) {
     summary.ghosts = disc.ghosts->lattice().ghosts();

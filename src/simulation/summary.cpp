@@ -18,6 +18,13 @@ std::string HyperbolicityLoss::text() const {
       time, point, fmt::join(position, ", "), fmt::join(stretches, " x "), acoustic_eigenvalue);
 }
 
+std::string LoadedPatch::text() const {
+  const std::string extent =
+      resultant.size() == 1 ? "" : fmt::format("{:.6g} m of the boundary, ", length);
+  return fmt::format("load on {}: {}resultant ({:.6g}) N where it is largest", where, extent,
+                     fmt::join(resultant, ", "));
+}
+
 std::string Summary::json() const {
   Json tree;
   tree.set("scene", scene);
@@ -84,8 +91,16 @@ std::string Summary::json() const {
   } else {
     tree.set("consistency", nullptr);
   }
-  tree.set_or_null("boundary_solver", boundary_solver);
+  tree.make_list("loads");
+  for (const LoadedPatch& load : loads) {
+    Json entry;
+    entry.set("where", load.where);
+    entry.set("length", load.length);
+    entry.set("resultant", load.resultant);
+    tree.append("loads", entry);
+  }
   tree.set("warnings", warnings);
+  tree.set_or_null("boundary_solver", boundary_solver);
   tree.set("interrupted", interrupted);
   tree.set_or_null("failure", failure);
   return tree.dump() + '\n';

@@ -20,6 +20,7 @@ from plotting.triangles import Triangles
 
 
 TWO_SIDED = 0.2  # of the largest value: what the other sign must reach for colours on both sides of zero
+TRAVELS = 2.0  # times the size of the body: where the places of all frames reach farther, each panel follows the body
 
 
 def arguments(command):
@@ -35,16 +36,26 @@ def arguments(command):
     command.add_argument("--colours", metavar="MAP", help="a matplotlib colour map")
 
 
-def pick_frames(times, wanted, path, count):
+def pick_frames(times, wanted, path, count, bare_start=False):
+    """Rows of `count` frames evenly over the run, without the first if nothing is to be seen there."""
     if len(times) == 0:
         raise PlotError(f"{path}: no frames")
     if wanted is None:
-        return sorted(set(np.linspace(0, len(times) - 1, count).round().astype(int)))
+        first = 1 if bare_start and len(times) > 1 else 0
+        return sorted(set(np.linspace(0, len(times) - 1, count + first)[first:].round().astype(int)))
     slack = 0.5 * np.max(np.diff(times), initial=0.0)
     for t in wanted:
         if not times[0] - slack <= t <= times[-1] + slack:
             raise PlotError(f"--times: {t:g} s lies outside the frames of {path}, {times[0]:g} to {times[-1]:g} s")
     return list(dict.fromkeys(int(np.argmin(np.abs(times - t))) for t in wanted))
+
+
+def starts_bare(run, fields):
+    """Whether every field is the same everywhere in the first frame, rounding apart."""
+    def bare(field):
+        values = run.field(field, [0, len(run.times) // 2, len(run.times) - 1])[1]
+        return np.ptp(values[0]) <= 1e-9 * np.ptp(values)
+    return len(run.times) > 0 and all(bare(field) for field in fields)
 
 
 def clock(seconds, scale, unit):
@@ -64,7 +75,7 @@ def draw(options):
 
 def draw_lines(run, options):
     fields = options.field or ["displacement_x", "pk1_xx"]
-    frames = pick_frames(run.times, options.times, run.path, 6)
+    frames = pick_frames(run.times, options.times, run.path, 6, starts_bare(run, fields))
     t_scale, t_unit = time_axis(run.times[frames])
     x_scale, x_unit = prefix(run.nodes[:, 0], "m")
     colours = matplotlib.colormaps["viridis"](np.linspace(0.0, 0.9, len(frames)))
@@ -164,11 +175,26 @@ def paint(axes, shape, body, x_scale, mirrors, field, values, colours, limits):
                     parity(field, image) * values, colours, limits)
 
 
+def windows(bodies, mirrors):
+    """Lower and upper corners of the panels [frame, axis]: one box around all bodies (corners of their tiles
+    [corner, axis]) and their images, or, where that would be mostly empty, boxes of one size around each."""
+    corners = [np.concatenate([body * image for image in mirrors]) for body in bodies]
+    low, high = np.array([c.min(axis=0) for c in corners]), np.array([c.max(axis=0) for c in corners])
+    size = np.max(high - low, axis=0)
+    if np.any(np.ptp(0.5 * (low + high), axis=0) > (TRAVELS - 1.0) * size):
+        middle = 0.5 * (low + high)
+        low, high = middle - 0.5 * size, middle + 0.5 * size
+    else:
+        low, high = np.tile(low.min(axis=0), (len(low), 1)), np.tile(high.max(axis=0), (len(high), 1))
+    margin = 0.02 * np.max(high - low)
+    return low - margin, high + margin
+
+
 def draw_bodies(run, options):
     if options.field and len(options.field) > 1:
         raise PlotError("--field: one field a figure in two dimensions")
     field = options.field[0] if options.field else "pk1_xx"
-    frames = pick_frames(run.times, options.times, run.path, 4)
+    frames = pick_frames(run.times, options.times, run.path, 4, starts_bare(run, [field]))
     X, values = run.field(field, frames)
     scale, unit = prefix(values, unit_of(field))
     u = run.displacement(frames)
@@ -180,14 +206,12 @@ def draw_bodies(run, options):
     map_name, limits = colouring(signed, options.colours)
 
     x_scale, x_unit = prefix(np.ptp(run.nodes, axis=0), "m")
-    outline = x_scale * np.concatenate([polygon for body in bodies for polygon in body])
-    corners = np.concatenate([outline * image for image in mirrors])
-    low, high = corners.min(axis=0), corners.max(axis=0)
-    margin = 0.02 * np.max(high - low)
-    width, height = high - low + 2 * margin
+    low, high = windows([x_scale * np.concatenate(list(body)) for body in bodies], mirrors)
+    travels = np.any(low != low[0])
+    width, height = high[0] - low[0]
     rows, columns = grid_shape(len(frames), width, height)
     panel = min((WIDTH - 1.2) / columns, 7.0 / rows * width / height)
-    figure, panels = plt.subplots(rows, columns, squeeze=False, sharex=True, sharey=True, figsize=(
+    figure, panels = plt.subplots(rows, columns, squeeze=False, sharex=not travels, sharey=not travels, figsize=(
         columns * panel + 1.3, rows * (panel * height / width + 0.28) + 0.6))
     t_scale, t_unit = time_axis(run.times[frames])
     for k, axes in enumerate(panels.flat):
@@ -195,7 +219,7 @@ def draw_bodies(run, options):
             axes.set_visible(False)
             continue
         paint(axes, shape, bodies[k], x_scale, mirrors, field, scale * values[k], map_name, limits)
-        axes.set(xlim=(low[0] - margin, high[0] + margin), ylim=(low[1] - margin, high[1] + margin), aspect="equal")
+        axes.set(xlim=(low[k, 0], high[k, 0]), ylim=(low[k, 1], high[k, 1]), aspect="equal")
         axes.set_title(clock(run.times[frames[k]], t_scale, t_unit), loc="left")
         axes.grid(False)
     figure.supxlabel(f"$x$ [{x_unit}]" + (f"     displacements × {factor:g}" if factor != 1.0 else ""), fontsize=9)

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tlsph/geometry/shape.hpp"
+#include "tlsph/particles/outline_names.hpp"
 #include "tlsph/particles/particles.hpp"
 
 namespace tlsph {
@@ -17,29 +18,30 @@ namespace tlsph {
   return {b.y() - a.y(), a.x() - b.x()};
 }
 
-/// Names of the sides of the bounding box: lower and upper in x, then in y.
-inline constexpr std::array<const char*, 4> side_names = {"left", "right", "bottom", "top"};
-inline constexpr int no_side = -1;
-
 /// A face and what lies beyond it.
 template <int D>
 struct LabelledFace {
   Face<D> face;
-  int side = no_side;  ///< side of the bounding box it lies on, index into side_names
+  int side = no_side;  ///< what it faces, index into side_names
   int hole = 0;        ///< number of the hole it borders, from 1; 0 if none
+  int edge = 0;        ///< number of the edge it is part of, from 1; 0 in 1D
 };
 
-/// The face with the side of the `box`, or else the hole, that all of `witnesses` lie on (points of
-/// the true boundary, tolerance [m]).
+/// The face with the edge it is part of and the side and the hole that all of `witnesses` lie on
+/// (points of the true boundary, its ends first; tolerance [m]).
 [[nodiscard]] LabelledFace<2> labelled(const Face<2>& face, const std::vector<Vector<2>>& witnesses,
-                                       const Box<2>& box, const std::vector<Shape<2>>& holes,
-                                       double tolerance);
+                                       const OutlineNames& names,
+                                       const std::vector<Shape<2>>& holes, double tolerance);
 
 /// The patches every body has, as far as they hold faces: `left`, `right`, `bottom`, `top`, `hole`,
 /// `hole1` …, `outer`, `boundary`.
 template <int D>
 [[nodiscard]] std::vector<Patch<D>> make_patches(const std::vector<LabelledFace<D>>& faces,
                                                  std::size_t holes);
+
+/// The patches `edge1`, `edge2` …; none in 1D.
+template <int D>
+[[nodiscard]] std::vector<Patch<D>> make_edges(const std::vector<LabelledFace<D>>& faces);
 
 /// N×d lumped area vectors: each face gives its ends their shares.
 template <int D>

@@ -39,11 +39,12 @@ template <int D>
                                         const Place& place = {});
 
 /// The same particles with one more patch: the nodes with lower ≤ X ≤ upper (tolerance 1e-6 Δ) and
-/// the boundary faces with all ends among them. InputError if the box is upside down, holds no
-/// particles, or the name is taken.
+/// the part of the boundary there. In 2D the faces are cut at the bounds, those between nodes on an
+/// arc of `shape` where the arc meets them. InputError if the box is upside down, holds neither
+/// particles nor boundary, or the name is taken.
 template <int D>
 [[nodiscard]] Particles<D> with_named_box(Particles<D> particles, const std::string& name,
                                           const Vector<D>& lower, const Vector<D>& upper,
-                                          const Place& place = {});
+                                          const Place& place = {}, const Shape<D>* shape = nullptr);
 
 }  // namespace tlsph

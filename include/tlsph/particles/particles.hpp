@@ -25,8 +25,8 @@ struct LatticeFrame {
   std::array<int, D> counts;  ///< nodes per direction
 
   /// Row of the node, along the longer side of the lattice and of equal ones along the last: i in
-  /// 1D; i + n_x j in 2D where n_x > n_y, else i n_y + j. What is equal from node to node then comes
-  /// in few long pieces.
+  /// 1D; i + n_x j in 2D where n_x > n_y, else i n_y + j. What is equal from node to node then
+  /// comes in few long pieces.
   [[nodiscard]] int index(const std::array<int, D>& coordinates) const {
     if constexpr (D == 1)
       return coordinates[0];
@@ -70,17 +70,29 @@ struct Face {
   Vector<D> area;  ///< outward area vector [m^(d−1)], reference configuration
   /// Part of the area that each end node stands for; equal ones are the trapezoidal rule.
   std::array<double, D> share = detail::equal_shares<D>();
+  /// A piece of a face, or a face of an edge that is taken in part: `area` is that of the piece,
+  /// the shares are those of linear functions and keep their values.
+  bool cut = false;
 };
 
-/// A named part of the boundary (`left`, `right`, `bottom`, `top`: on the edges of the bounding
-/// box; `hole`: all holes; `hole1`, `hole2` …: one of them; `outer`: all but the holes; `boundary`:
-/// all) or a named box.
+/// A named part of the boundary (`left`, `right`, `bottom`, `top`: the outermost straight edges
+/// that face −x, +x, −y, +y; `hole`: what holes leave, without these; `hole1`, `hole2` …: all that
+/// one of them leaves; `outer`: all but `hole`; `boundary`: all; `edge1` …: one edge) or a named
+/// box.
 template <int D>
 struct Patch {
   std::string name;
   std::vector<int> nodes;      ///< sorted, each once
   std::vector<Face<D>> faces;  ///< the faces that make it up; empty for a named box of inner nodes
 };
+
+/// Length of a patch in 2D [m], number of its ends in 1D.
+template <int D>
+[[nodiscard]] double patch_extent(const Patch<D>& patch) {
+  double sum = 0.0;
+  for (const Face<D>& face : patch.faces) sum += face.area.norm();
+  return sum;
+}
 
 /// Corners of one lattice cell in cyclic (counter-clockwise) order; 2 in 1D, 4 in 2D.
 template <int D>
@@ -104,12 +116,15 @@ struct Particles {
   std::optional<LatticeFrame<D>>
       frame;                   ///< only if the body is an undisturbed full interval or box
   std::vector<int> line = {};  ///< N lines of the file that listed them, from 1; else empty
+  std::vector<Patch<D>> edges =
+      {};  ///< in 2D the boundary from corner to corner: `edge1` … (particles/outline_names.hpp)
 
   [[nodiscard]] Index size() const { return X.rows(); }
   /// The patch of that name, nullptr if the body has none.
   [[nodiscard]] const Patch<D>* find(const std::string& name) const {
-    for (const auto& patch : patches)
-      if (patch.name == name) return &patch;
+    for (const auto* list : {&patches, &edges})
+      for (const auto& patch : *list)
+        if (patch.name == name) return &patch;
     return nullptr;
   }
 };

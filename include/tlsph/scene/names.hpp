@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "tlsph/scene/scene.hpp"
 
@@ -135,6 +136,17 @@ template <class E>
   std::string text;
   for (const auto& [name, entry] : Names<E>::list)
     text.append(text.empty() ? "" : " | ").append(name);
+  return text;
+}
+
+/// The formulations with natural boundaries, D = −GᵀV: "a, b or c".
+[[nodiscard]] inline std::string adjoint_formulations() {
+  std::vector<std::string_view> names;
+  for (const auto& [name, formulation] : Names<Formulation>::list)
+    if (is_adjoint(formulation)) names.push_back(name);
+  std::string text(names.front());
+  for (std::size_t k = 1; k < names.size(); ++k)
+    text.append(k + 1 < names.size() ? ", " : " or ").append(names[k]);
   return text;
 }
 

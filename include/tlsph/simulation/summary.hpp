@@ -39,6 +39,16 @@ struct HyperbolicityLoss {
   [[nodiscard]] std::string text() const;
 };
 
+/// A load and where it acts.
+struct LoadedPatch {
+  std::string where;
+  double length = 0.0;            ///< of the loaded boundary [m]; in 1D the number of its ends
+  std::vector<double> resultant;  ///< of each component where its load is largest [N]
+
+  /// "load on …", for people.
+  [[nodiscard]] std::string text() const;
+};
+
 struct Summary {
   std::string scene, title, version;
   int dimension = 0;
@@ -62,8 +72,9 @@ struct Summary {
   /// What is left of the constraints of a corrected gradient, lengths in spacings.
   std::optional<ConsistencyResiduals> consistency;
   std::optional<HyperbolicityLoss> hyperbolicity_lost;  ///< by the material; never by linear laws
-  std::string boundary_solver;        ///< what factorised the modified SPH matrix, empty otherwise
+  std::vector<LoadedPatch> loads;
   std::vector<std::string> warnings;  ///< what the user should know before trusting the result
+  std::string boundary_solver;        ///< what factorised the modified SPH matrix, empty otherwise
   std::string failure;                ///< empty when all went well
   bool interrupted = false;           ///< stopped by a signal, checkpoint written
 
