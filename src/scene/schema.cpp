@@ -75,8 +75,8 @@ std::vector<Key> all_keys() {
            "should not differ by more than about half"},
       {"body", "spacing", number, "", "m", "(required; of a cloud: estimated)", "> 0",
        "distance of neighbouring nodes, taken to the nearest division of the body; a change of "
-       "more "
-       "than 1 % is refused. Of a cloud: the unit of kernel.support"},
+       "more than 1 % is refused, but for fitted discs and polygons. Of a cloud: the unit of "
+       "kernel.support"},
       {"body", "layout", text, "", "", "\"square\"", choices<Layout>(),
        "rows and columns, or rows shifted by half a spacing so that each node has six neighbours "
        "(2D, " +
@@ -84,7 +84,10 @@ std::vector<Key> all_keys() {
       {"body", "placement", text, "", "", "\"on-boundary\"", choices<Placement>(),
        "nodes on the boundary (with half and quarter volumes), or at the centres of the cells"},
       {"body", "fit", flag, "", "", "(true for " + adjoint_formulations() + ", on-boundary, 2D)",
-       "", "nodes follow curved and slanted edges instead of approaching them in stairs"},
+       "",
+       "nodes follow curved and slanted edges instead of approaching them in stairs. Polygons with "
+       "angles from 20 to 340 degrees, edges of two spacings and parts two spacings wide are "
+       "always filled, by cells whose corners have a sine >= 0.1 and a Jacobian >= 0.1 spacing^2"},
       {"body", "jitter", number, "", "spacings", "0", "[0, 0.4]",
        "largest random shift of interior nodes"},
       {"body", "seed", integer, "", "", "1", ">= 0", "of the random shifts"},
