@@ -5,8 +5,9 @@
 namespace tlsph {
 namespace {
 
-/// Seconds and pieces that are enough to compare: some slices of a scheduler.
-constexpr double stretch = 0.01;
+/// Seconds and pieces that are enough to compare: some slices of a scheduler. The first comparison
+/// takes less, for there may be little work at all; if it erred the next sees it.
+constexpr double stretch = 0.01, first_stretch = 0.25 * stretch;
 constexpr int fewest_pieces = 2;
 /// Seconds between trials: at least, which bounds what they cost to a twentieth, and at most.
 constexpr double shortest = 20.0 * stretch, longest = 16.0 * shortest;
@@ -22,7 +23,8 @@ void TeamChoice::took(double seconds, double amount) {
   amount_ += amount;
   since_ += seconds;
   ++pieces_;
-  if (spent_ < stretch || pieces_ < fewest_pieces) return;
+  const bool first = cost_[0] == 0.0 || cost_[1] == 0.0;
+  if (spent_ < (first ? first_stretch : stretch) || pieces_ < fewest_pieces) return;
   cost_[together_ ? 1 : 0] = spent_ / amount_;
   const double own = cost_[together_ ? 1 : 0];
   const double other = cost_[together_ ? 0 : 1];

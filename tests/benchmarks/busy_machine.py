@@ -37,7 +37,7 @@ fixed = true
 where = "right"
 traction = { curve = "smooth-ramp", amplitude = 1e3, rise = 0.05 }
 [time]
-end = 0.05
+end = 0.2
 """
 
 
