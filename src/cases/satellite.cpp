@@ -15,7 +15,7 @@ void satellite(CaseRun& run) {
   for (const auto& [formulation, step, end] :
        {Method{"stress-point", 0.0148, 1500.0}, Method{"variational", 0.019, 1950.0}}) {
     // Arms that swing as far as these excite each other; below 0.7 of the critical step the central
-    // difference does not add to it. Equal steps, for only they keep the energy.
+    // difference does not add to it.
     const CaseScene scene =
         run.scene(formulation, "satellite.toml",
                   {fmt::format("formulation={}", formulation), fmt::format("time.step={}", step),

@@ -101,8 +101,8 @@ void around_the_limit(CaseRun& run) {
     const double dt = 1.02 * computed;
     run.relative("thesis, Fig. 4.12", "growth a step at 1.02 of the limit" + of,
                  growth_per_step(spectrum, dt), observed_growth(run, set, dt), 1e-2);
-    const CaseScene above = run.scene(formulation + "-long-above", "bar.toml",
-                                      with_step(set, dt, 100.0 * transit));
+    const CaseScene above =
+        run.scene(formulation + "-long-above", "bar.toml", with_step(set, dt, 100.0 * transit));
     run.at_most("books of the run", "end of a run at 1.02 of the limit, in transits" + of, 10.0,
                 above.failed_at.value_or(INFINITY) / transit);
     draw_around(run, formulation, set, computed);

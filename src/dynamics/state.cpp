@@ -242,15 +242,15 @@ void advance(const Discretisation<D>& disc, State<D>& state, double dt, double n
   }
 }
 
-#define TLSPH_INSTANTIATE(D)                                                                  \
-  template State<D> make_state<D>(const Discretisation<D>&, VectorField<D>, VectorField<D>);  \
-  template void evaluate<D>(const Discretisation<D>&, State<D>&);                             \
-  template void report_failure<D>(const Discretisation<D>&, const State<D>&);                 \
-  template void report_loss<D>(const Discretisation<D>&, const State<D>&, const std::string&);  \
-  template void evaluate_unchecked<D>(const Discretisation<D>&, State<D>&);                   \
-  template double next_velocity<D>(const Discretisation<D>&, const State<D>&, double, Index); \
-  template NodalMotion motion_of<D>(const Discretisation<D>&, const State<D>&, double, Index);  \
-  template void start<D>(const Discretisation<D>&, State<D>&, double);                        \
+#define TLSPH_INSTANTIATE(D)                                                                   \
+  template State<D> make_state<D>(const Discretisation<D>&, VectorField<D>, VectorField<D>);   \
+  template void evaluate<D>(const Discretisation<D>&, State<D>&);                              \
+  template void report_failure<D>(const Discretisation<D>&, const State<D>&);                  \
+  template void report_loss<D>(const Discretisation<D>&, const State<D>&, const std::string&); \
+  template void evaluate_unchecked<D>(const Discretisation<D>&, State<D>&);                    \
+  template double next_velocity<D>(const Discretisation<D>&, const State<D>&, double, Index);  \
+  template NodalMotion motion_of<D>(const Discretisation<D>&, const State<D>&, double, Index); \
+  template void start<D>(const Discretisation<D>&, State<D>&, double);                         \
   template void advance<D>(const Discretisation<D>&, State<D>&, double, double);
 TLSPH_INSTANTIATE(1)
 TLSPH_INSTANTIATE(2)

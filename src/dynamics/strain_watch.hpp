@@ -14,9 +14,9 @@
 
 namespace tlsph::sweep {
 
-/// Stretches of all material points, rotation removed: U − 1 with F = R U, by direction: its columns,
-/// interleaved, at a·points·D. In single precision: what is asked for is how far a body is from them, in
-/// thousandths at the finest, and a look costs little more than reading them.
+/// Stretches of all material points, rotation removed: U − 1 with F = R U, by direction: its
+/// columns, interleaved, at a·points·D. In single precision: what is asked for is how far a body is
+/// from them, in thousandths at the finest, and a look costs little more than reading them.
 using StrainField = std::vector<float>;
 
 template <int D>

@@ -50,8 +50,8 @@ template <int D>
                                                    const InitialState<D>& initial);
 
 /// The step a run of the scene starts with [s]: time.step, or its share of the critical step at the
-/// start. InputError for a time.step beyond what is stable, unless the scene allows it, and for more
-/// steps than a run could make.
+/// start. InputError for a time.step beyond what is stable, unless the scene allows it, and for
+/// more steps than a run could make.
 [[nodiscard]] double chosen_step(const Scene& scene, const CriticalStep& critical);
 
 /// The material entry that rules at X: the last one whose box holds it, else the first, which has

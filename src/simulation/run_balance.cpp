@@ -119,8 +119,8 @@ void RunLoop<D>::sample_books() {
 template <int D>
 void RunLoop<D>::watch_growth(const Balance<D>& now) {
   const double work = ledger_.external_work + now.gravity;
-  energy_scale_ = std::max({energy_scale_, std::abs(first_energy_ + work - ledger_.dissipated),
-                            std::abs(work)});
+  energy_scale_ = std::max(
+      {energy_scale_, std::abs(first_energy_ + work - ledger_.dissipated), std::abs(work)});
   const double energy = now.kinetic + now.ripple + now.elastic;
   if (!(energy > out_of_bounds * energy_scale_)) {
     growing_ = 0;

@@ -99,6 +99,7 @@ void RunLoop<D>::run(Summary& summary) {
     while (true) {
       evaluate_for_observers();
       follow_deformation();
+      if (evaluated_ && state_.step > 0) ledger_.arrive(disc_, state_, clock_.dt);
       observe();
       if (state_.step == clock_.last()) break;
       step();
@@ -137,14 +138,12 @@ void RunLoop<D>::evaluate_for_observers() {
   evaluated_ = !sweep_ || books_due() || frame_due() || alarmed();
   if (!sweep_) {
     evaluate<D>(disc_, state_);
-    if (state_.step > 0) ledger_.arrive(disc_, state_, clock_.dt);
   } else if (evaluated_ || probes_due()) {
     const Stopwatch watch;
     if (evaluated_)
       sweep_->evaluate(state_);
     else
       excerpt_->evaluate(disc_, state_);
-    if (evaluated_ && state_.step > 0) ledger_.arrive(disc_, state_, clock_.dt);
     output_seconds_ += watch.seconds();
   }
 }
@@ -188,13 +187,14 @@ bool RunLoop<D>::frame_due() const {
 
 template <int D>
 void RunLoop<D>::observe() {
-  if (books_due() || frame_due() || alarmed()) sample_books();
+  const bool frame = evaluated_ && frame_due();  // a longer step may just have come near one
+  if (books_due() || frame || alarmed()) sample_books();
   if (books_due()) watch_hyperbolicity();
   report_progress();
-  if (!probes_due() && !frame_due()) return;
+  if (!probes_due() && !frame) return;
   const Stopwatch watch;
   if (probes_due()) output_->write_probes(disc_, state_, clock_.dt, evaluated_);
-  if (frame_due()) {
+  if (frame && growing_ == 0) {
     output_->write_frame(disc_, state_, clock_.dt);
     while (next_frame_ <= scene_.output.frames &&
            state_.time >= static_cast<double>(next_frame_) * scene_.time.end /

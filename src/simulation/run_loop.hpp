@@ -76,15 +76,15 @@ class RunLoop {
   Vector<D> first_momentum_ = Vector<D>::Zero();
   double first_angular_ = 0.0, momentum_scale_ = 0.0, angular_scale_ = 0.0;
   double momentum_drift_ = 0.0, angular_drift_ = 0.0;
-  double energy_scale_ = 0.0;                 ///< largest energy that the books can explain [J]
-  double speed_ = 0.0, known_speed_ = 0.0;    ///< largest now, and when somebody looked [m/s]
+  double energy_scale_ = 0.0;               ///< largest energy that the books can explain [J]
+  double speed_ = 0.0, known_speed_ = 0.0;  ///< largest now, and when somebody looked [m/s]
   std::optional<HyperbolicityLoss> hyperbolicity_lost_;
   long books_every_ = 1;
   long next_frame_ = 0;
-  long growing_ = 0;             ///< looks in sequence that found an energy out of all bounds
+  long growing_ = 0;  ///< looks in sequence that found an energy out of all bounds
   std::optional<NumericalError> growth_;  ///< where that began
-  Snapshot<D> balanced_;         ///< the last state within its balance
-  bool evaluated_ = false;  ///< H, P and f are those of the state, everywhere
+  Snapshot<D> balanced_;                  ///< the last state within its balance
+  bool evaluated_ = false;                ///< H, P and f are those of the state, everywhere
 
   double output_seconds_ = 0.0, last_progress_ = 0.0, last_checkpoint_ = 0.0;
 };

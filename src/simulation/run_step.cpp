@@ -31,11 +31,12 @@ double parts::chosen_step(const Scene& scene, const CriticalStep& critical) {
   if (time.step && *time.step > largest_share * critical.dt && !time.allow_unstable)
     throw InputError(
         time.step_place,
-        fmt::format("{:.6g} s exceeds the critical step of this body, {:.6g} s, by {:.2g} %: motion "
-                    "would grow beyond all bounds; take {:.4g} s or less, leave it out for {:g} of "
-                    "the critical step, or say time.allow_unstable = true to see what grows",
-                    *time.step, critical.dt, 100.0 * (*time.step / critical.dt - 1.0),
-                    0.9 * critical.dt, time.safety));
+        fmt::format(
+            "{:.6g} s exceeds the critical step of this body, {:.6g} s, by {:.2g} %: motion "
+            "would grow beyond all bounds; take {:.4g} s or less, leave it out for {:g} of "
+            "the critical step, or say time.allow_unstable = true to see what grows",
+            *time.step, critical.dt, 100.0 * (*time.step / critical.dt - 1.0), 0.9 * critical.dt,
+            time.safety));
   const double dt = time.step.value_or(time.safety * critical.dt);
   const double count = std::ceil(time.end / dt);
   if (!(count <= most_steps))

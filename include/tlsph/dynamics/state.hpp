@@ -66,7 +66,7 @@ struct NodalMotion {
 /// step is `dt`. Needs `evaluate` before.
 template <int D>
 [[nodiscard]] NodalMotion motion_of(const Discretisation<D>& discretisation, const State<D>& state,
-                                double dt, Index dof);
+                                    double dt, Index dof);
 
 /// Turns v(0), as `make_state` left it, into v_{−½}. Needs `evaluate` before.
 template <int D>

@@ -4,8 +4,8 @@
 ///
 /// A central difference is symplectic for equal steps only: a step that shrinks and grows with the
 /// motion pumps energy into it. So the step only falls, by a notch or more at a time, and stays as
-/// it is once the stiffest state has been met. It is shorter for a while only where a material point
-/// deforms by a tenth in a step, as in a body that is struck.
+/// it is once the stiffest state has been met. It is shorter for a while only where a material
+/// point deforms by a tenth in a step, as in a body that is struck.
 ///
 /// K depends on the state through the tangents A_s of the material points alone, so what an
 /// estimate at one state says of all others follows from Weyl's inequality:

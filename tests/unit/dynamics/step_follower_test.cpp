@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <cmath>
@@ -89,6 +90,50 @@ TYPED_TEST(Follower, StaysBelowTheLimitThroughACompressionToAFifth) {
   }
 }
 
+/// Down to a half, back and beyond: what is stiff once may be so again.
+TYPED_TEST(Follower, NeverLengthensTheStepAgain) {
+  constexpr int D = TypeParam::value;
+  const auto disc = cells_of<D>(5, LawName::neo_hookean);
+  State<D> state = stretched<D>(disc, 1.0, 0.0);
+  StepFollower<D> follower(disc, state, 0.9);
+  double dt = follower.step();
+  const double first = dt;
+  int falls = 0;
+  for (state.step = 1; state.step <= 400; ++state.step) {
+    const double factor = 1.0 - 0.3 * std::sin(0.03 * static_cast<double>(state.step));
+    state.u.col(0) = (factor - 1.0) * disc.particles.X.col(0);
+    state.last_dt = dt;
+    evaluate<D>(disc, state);
+    if (!follower.follow(state)) continue;
+    EXPECT_LE(follower.step(), 0.97 * dt);
+    EXPECT_LE(follower.step(), 0.93 * critical_step<D>(disc, state).dt);
+    dt = follower.step();
+    ++falls;
+  }
+  EXPECT_LT(dt, 0.8 * first);
+  EXPECT_LE(falls, 25);
+}
+
+TYPED_TEST(Follower, SeesNoDeformationInATurn) {
+  if constexpr (TypeParam::value == 2) {
+    const auto disc = cells_of<2>(5, LawName::neo_hookean);
+    State<2> state = stretched<2>(disc, 1.1, 0.02);
+    const VectorField<2> x = disc.particles.X + state.u;
+    StepFollower<2> follower(disc, state, 0.9);
+    for (state.step = 1; state.step <= 300; ++state.step) {
+      const double angle = 0.05 * static_cast<double>(state.step);
+      Tensor<2> R;
+      R << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
+      state.u = x * R.transpose() - disc.particles.X;
+      state.last_dt = follower.step();
+      evaluate<2>(disc, state);
+      EXPECT_FALSE(follower.follow(state));
+      EXPECT_NEAR(follower.bound(state), follower.critical().dt, 1e-5 * follower.critical().dt);
+    }
+    EXPECT_EQ(follower.bounds(), 0);
+  }
+}
+
 TYPED_TEST(Follower, LooksRarelyAtABodyAtRest) {
   constexpr int D = TypeParam::value;
   const auto disc = cells_of<D>(4, LawName::neo_hookean);
@@ -165,14 +210,22 @@ std::vector<AnyLaw<D>> nonlinear_laws() {
   return laws;
 }
 
-/// max λ_max(A(H) − A(H₀)) by Gershgorin's discs, tangent by tangent.
+/// U of F = R U, less one.
+template <int D>
+Tensor<D> stretch(const State<D>& state, Index point) {
+  const Tensor<D> F = deformation_gradient<D>(tensor_at<D>(state.H, point));
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, D, D>> C(F.transpose() * F);
+  return C.operatorSqrt() - Eigen::Matrix<double, D, D>::Identity();
+}
+
+/// max λ_max(A(U) − A(U₀)) by Gershgorin's discs, tangent by tangent.
 template <int D>
 double stiffening(const Discretisation<D>& disc, const State<D>& state, const State<D>& before) {
   double most = 0.0;
   for (const Region<D>& region : disc.regions) {
     const auto look = [&](Index s) {
-      const Tangent<D> A = tangent<D>(region.law, tensor_at<D>(state.H, s)) -
-                           tangent<D>(region.law, tensor_at<D>(before.H, s));
+      const Tangent<D> A = tangent<D>(region.law, stretch<D>(state, s)) -
+                           tangent<D>(region.law, stretch<D>(before, s));
       for (int i = 0; i < D * D; ++i)
         most = std::max(most, A(i, i) + A.row(i).cwiseAbs().sum() - std::abs(A(i, i)));
     };
@@ -261,11 +314,11 @@ TYPED_TEST(Follower, TakesABoundWhereOnePointHasDeformed) {
     for (const auto& [deformation, bounds] : {std::pair{0.0099, 0L}, std::pair{0.0101, 1L}}) {
       State<D> state = stretched<D>(disc, 1.1, 0.03);
       StepFollower<D> follower(disc, state, 0.9);
-      Tensor<D> F = deformation_gradient<D>(tensor_at<D>(state.H, point));
-      const Tensor<D> H = tensor_at<D>(state.H, point);
+      const Tensor<D> H = stretch<D>(state, point);
+      const Tensor<D> F = deformation_gradient<D>(H);
       Tensor<D> change = Tensor<D>::Constant(0.3);
       change(0, 0) = -1.0;
-      // ‖ΔH‖ ‖F⁻¹‖ with F after the change: a few steps of a fixed point.
+      // ‖ΔU‖ ‖U⁻¹‖ with U after the change: a few steps of a fixed point.
       double size = 0.0;
       for (int n = 0; n < 30; ++n) {
         const Tensor<D> after = F + size * change;

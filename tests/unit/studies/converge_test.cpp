@@ -146,7 +146,8 @@ TEST_F(Converge, KeepsTheRunsThatDoNotFail) {
   const std::string soft = pushed_bar + with_exact;
 
   const ConvergenceTable table = study(
-      soft, {0.2, 0.1, 0.0125}, {}, {"material.law=neo-hookean", "time.step=3e-3", "time.allow_unstable=true", "time.end=1"});
+      soft, {0.2, 0.1, 0.0125}, {},
+      {"material.law=neo-hookean", "time.step=3e-3", "time.allow_unstable=true", "time.end=1"});
 
   ASSERT_EQ(table.rows.size(), 3);
   EXPECT_EQ(table.rows[0].failure, "");

@@ -66,7 +66,8 @@ void runs_a_scene(CaseRun& run) {
   run.absolute("", "rows", static_cast<double>(scene.summary.steps + 1),
                static_cast<double>(scene.probe("tip.displacement_x").size()), 0.0);
   const CaseScene lost =
-      run.scene("lost", "bar.toml", {"time.step=5e-3", "time.allow_unstable=true", "time.end=1e4", "output.frames=0"});
+      run.scene("lost", "bar.toml",
+                {"time.step=5e-3", "time.allow_unstable=true", "time.end=1e4", "output.frames=0"});
   run.at_least("", "time of the failure", 0.0, lost.failed_at.value_or(nan));
 }
 void sleeps(CaseRun& run) {
