@@ -23,7 +23,7 @@ constexpr double narrowest = 1.515, ratio = 1.15, widest = 4.0;
 /// lattice it is 2 + √2 for differences of first order, 5 + 1.5 √2 for those of second order.
 constexpr double largest_linear = 5.0, largest_quadratic = 9.0;
 /// Error of a derivative, relative, below which a row counts as exact.
-constexpr double exact = 1e-10;
+constexpr double exact = 1e-11;
 constexpr double none = std::numeric_limits<double>::infinity();
 
 /// The gradient at one node: the nodes around it, itself among them, and their weights.
@@ -58,21 +58,23 @@ class Fit {
 
   /// The first derivatives of the polynomial of degree two fitted with the weights V W.
   [[nodiscard]] Row<D> quadratic(Index p, std::vector<int> nodes, double h) const {
+    const auto count = static_cast<Index>(nodes.size());
     const auto terms = static_cast<Index>(quadratics_.size());
-    const auto weight = [&](int q) {
-      return V_[q] * kernel_value<D>(WendlandC2{}, arm(p, q).norm(), h);
-    };
-    Eigen::MatrixXd moment = Eigen::MatrixXd::Zero(terms, terms);
-    for (const int q : nodes) {
-      const Eigen::VectorXd f = monomial_values<D>(quadratics_, arm(p, q) / h);
-      moment += weight(q) * f * f.transpose();
+    Eigen::MatrixXd f(count, terms);
+    Eigen::VectorXd w(count);
+    for (Index k = 0; k < count; ++k) {
+      const int q = nodes[static_cast<std::size_t>(k)];
+      f.row(k) = monomial_values<D>(quadratics_, arm(p, q) / h).transpose();
+      w[k] = V_[q] * kernel_value<D>(WendlandC2{}, arm(p, q).norm(), h);
     }
-    const Eigen::MatrixXd first =
-        moment.ldlt().solve(Eigen::MatrixXd::Identity(terms, terms)).middleRows(1, D) / h;
+    const Eigen::LDLT<Eigen::MatrixXd> moment(f.transpose() * w.asDiagonal() * f);
+    Eigen::MatrixXd derivatives = Eigen::MatrixXd::Zero(terms, D);
+    for (int a = 0; a < D; ++a) derivatives(1 + a, a) = 1.0 / h;
+    Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(count, D);
+    for (int pass = 0; pass < 2; ++pass)  // the second takes out the round-off of the first
+      weights += w.asDiagonal() * f * moment.solve(derivatives - f.transpose() * weights);
     Row<D> row{std::move(nodes), {}};
-    for (const int q : row.nodes)
-      row.weights.emplace_back(weight(q) * first *
-                               monomial_values<D>(quadratics_, arm(p, q) / h));
+    for (Index k = 0; k < count; ++k) row.weights.emplace_back(weights.row(k).transpose());
     return closed(p, std::move(row), 2);
   }
 

@@ -20,6 +20,7 @@ std::string family(const char* name, double support) {
 
 constexpr const char* bare = R"(stabiliser={kind="none"})";
 constexpr const char* pair = R"(stabiliser={kind="pair"})";
+constexpr const char* viscous = R"(stabiliser={kind="pair", as="viscosity"})";
 constexpr const char* cell = R"(stabiliser={kind="cell"})";
 
 constexpr std::array other_kernels = {"cubic-spline", "quadratic", "gaussian",
@@ -56,7 +57,8 @@ Method corrected(const char* correction, Cover cover) {
 
 Method consistent(int rows, int columns, Cover cover) {
   return {fmt::format("consistent [{}, {}]", rows, columns),
-          {"formulation=consistent", fmt::format("consistency=[{}, {}]", rows, columns)},
+          {"formulation=consistent", fmt::format("consistency=[{}, {}]", rows, columns),
+           viscous},
           cover};
 }
 
