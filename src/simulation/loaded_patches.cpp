@@ -1,25 +1,30 @@
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
+#include <variant>
 
 #include "parts.hpp"
 
 namespace tlsph::parts {
 namespace {
 
-/// The value of the curve that is farthest from zero.
-double peak(const Curve& curve, double end) {
-  constexpr int instants = 256;
-  double most = 0.0;
-  for (int k = 0; k <= instants; ++k)
-    if (const double v = value(curve, end * k / instants); std::abs(v) > std::abs(most)) most = v;
-  return most;
+/// The amplitude of a curve, of a table the value farthest from zero.
+double peak(const Curve& curve) {
+  return std::visit(
+      [](const auto& form) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(form)>, TableCurve>)
+          return *std::ranges::max_element(form.value, {}, [](double v) { return std::abs(v); });
+        else
+          return form.amplitude;
+      },
+      curve);
 }
 
 template <int D>
-Vector<D> resultant(const Load& load, double end) {
+Vector<D> resultant(const Load& load) {
   Vector<D> sum = Vector<D>::Zero();
   for (std::size_t k = 0; k < load.dof.size(); ++k) sum[load.dof[k] % D] += load.weight[k];
-  return peak(load.curve, end) * sum;
+  return (peak(load.curve) * sum).array() + 0.0;  // no −0
 }
 
 }  // namespace
@@ -32,10 +37,9 @@ std::vector<LoadedPatch> loaded_patches(const Scene& scene, const Discretisation
     const Patch<D>& patch = *disc.particles.find(boundary.where);
     Vector<D> sum = Vector<D>::Zero();
     if (boundary.normal_traction)
-      sum += resultant<D>(normal_traction<D>(patch, *boundary.normal_traction), scene.time.end);
+      sum += resultant<D>(normal_traction<D>(patch, *boundary.normal_traction));
     for (const ComponentCurve& traction : boundary.traction)
-      sum += resultant<D>(component_traction<D>(patch, traction.component, traction.curve),
-                          scene.time.end);
+      sum += resultant<D>(component_traction<D>(patch, traction.component, traction.curve));
     loads.push_back({boundary.where, patch_extent(patch), {sum.begin(), sum.end()}});
   }
   return loads;

@@ -21,7 +21,7 @@ std::string HyperbolicityLoss::text() const {
 std::string LoadedPatch::text() const {
   const std::string extent =
       resultant.size() == 1 ? "" : fmt::format("{:.6g} m of the boundary, ", length);
-  return fmt::format("load on {}: {}resultant ({:.6g}) N where it is largest", where, extent,
+  return fmt::format("load on {}: {}resultant ({:.6g}) N at its amplitude", where, extent,
                      fmt::join(resultant, ", "));
 }
 

@@ -158,6 +158,28 @@ class GoodClouds(ProgramTest):
         report = json.loads((self.folder / "matrices/report.json").read_text())
         self.assertTrue(report)
 
+    def test_a_void_is_remarked(self):
+        def rows(void, jitter):
+            draw = random.Random(3)
+            for i in range(13):
+                for j in range(13):
+                    inner = 0 < i < 12 and 0 < j < 12
+                    move = [draw.uniform(-jitter, jitter) if inner else 0.0 for _ in "xy"]
+                    if not void or max(abs(i - 6), abs(j - 6)) > 1:
+                        yield f"{(i + move[0]) / 12:.9g},{(j + move[1]) / 12:.9g}\n"
+
+        self.write("scene.toml", CLOUD)
+        for void, jitter in ((True, 0.0), (True, 0.3), (False, 0.0), (False, 0.3)):
+            self.write("points.csv", "x,y\n" + "".join(rows(void, jitter)))
+            planned = self.tlsph("plan", "scene.toml")
+            done = self.tlsph("run", "scene.toml", "--out", "results")
+            with self.subTest(void=void, jitter=jitter):
+                self.assertEqual((planned.returncode, done.returncode), (0, 0), planned.stderr + done.stderr)
+                warnings = json.loads((self.folder / "results/summary.json").read_text())["warnings"]
+                self.assertEqual(len(warnings), 1 if void else 0)
+                for text in (planned.stdout, done.stdout, *warnings):
+                    self.assertEqual("no point of points.csv lies within" in text, void)
+
     def test_hexagonal(self):
         self.write("scene.toml", SHEET.replace("spacing = 0.1", 'spacing = 0.1\nlayout = "hexagonal"'))
 

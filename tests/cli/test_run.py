@@ -99,6 +99,20 @@ class Results(ProgramTest):
         self.assertLess(summary["energy"]["drift_relative"], 1e-2)
         self.assertLess(summary["errors"]["displacement"], 0.05)
 
+    def test_loads_are_told(self):
+        """A load on 0.51 … 0.71 m of the top: 0.2 m, though its ends lie within faces."""
+        part = SHEET.replace('where = "right"', 'where = "part"')
+        self.write("scene.toml", part)
+        done = self.tlsph("run", "scene.toml", "--out", "results", "--set",
+                          'body.tags=[{name="part", box=[[0.51, 0.99], [0.71, 1.01]]}]')
+        self.assertEqual(done.returncode, 0, done.stderr)
+        (load,) = read_summary(self.folder / "results")["loads"]
+        self.assertEqual(load["where"], "part")
+        self.assertAlmostEqual(load["length"], 0.2, delta=1e-12)
+        self.assertEqual(load["resultant"][0], 0.0)
+        self.assertAlmostEqual(load["resultant"][1], 200.0, delta=1e-9)
+        self.assertIn("load on part: 0.2 m of the boundary, resultant (0, 200) N at its amplitude", done.stdout)
+
     def test_errors_are_null_without_an_exact_solution(self):
         self.assertIsNone(read_summary(self.run_scene(SHEET))["errors"])
 

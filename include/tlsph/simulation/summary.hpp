@@ -43,7 +43,7 @@ struct HyperbolicityLoss {
 struct LoadedPatch {
   std::string where;
   double length = 0.0;            ///< of the loaded boundary [m]; in 1D the number of its ends
-  std::vector<double> resultant;  ///< of each component where its load is largest [N]
+  std::vector<double> resultant;  ///< at the amplitude of the load, by component [N]
 
   /// "load on …", for people.
   [[nodiscard]] std::string text() const;

@@ -79,7 +79,48 @@ TEST(BuildConditions, RefusesABoundaryThereIsNot) {
     FAIL() << "no error";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("\"hole\""));
-    EXPECT_THAT(error.what(), testing::HasSubstr("left"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("left (0, 0) to (0, 0.2)"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("edge3 (0, 0.2) to (0.4, 0.2)"));
+  }
+}
+
+TEST(BuildConditions, RefusesToHoldAPartWithoutParticles) {
+  const std::string gap = "body.tags=[{name=\"gap\", box=[[0.125, 0.2], [0.135, 0.2]]}]";
+  EXPECT_NO_THROW((void)build<2>(scene_with({gap, "boundary=[{where=\"gap\", traction=1.0}]"})));
+  EXPECT_THROW((void)build<2>(scene_with({gap, "boundary=[{where=\"gap\", fixed=true}]"})),
+               InputError);
+}
+
+/// A box around an edge reaches beyond its corners; what is held there is still that edge.
+TEST(BuildConditions, MirrorAtTheEdgeInABox) {
+  const auto scene = scene_with({"body.tags=[{name=\"end\", box=[[0.39, -1.0], [0.41, 1.0]]}]",
+                                 "boundary=[{where=\"end\", symmetry=true}]"});
+  const auto disc = build<2>(scene);
+  const Patch<2>& right = *disc.particles.find("right");
+  ASSERT_EQ(disc.constraints.fixed.size(), right.nodes.size());
+  for (std::size_t k = 0; k < right.nodes.size(); ++k)
+    EXPECT_EQ(disc.constraints.fixed[k], 2 * Index{right.nodes[k]});
+}
+
+/// Uniform stress balances tractions over the whole boundary, by names, numbers or a box.
+TEST(BuildConditions, LoadsOfWholeEdgesAreTheSameByAnyName) {
+  const auto weights = [](const std::vector<std::string>& overrides) {
+    const auto disc = build<2>(scene_with(overrides));
+    VectorField<2> sum = VectorField<2>::Zero(disc.nodes(), 2);
+    for (const Load& load : disc.loads)
+      for (std::size_t k = 0; k < load.dof.size(); ++k) sum.data()[load.dof[k]] += load.weight[k];
+    return sum;
+  };
+  for (const char* formulation :
+       {"formulation=stress-point", "formulation=variational", "formulation=consistent"}) {
+    const auto named = weights({formulation, "boundary=[{where=\"right\", traction=1.0}]"});
+    const auto numbered = weights({formulation, "boundary=[{where=\"edge2\", traction=1.0}]"});
+    const auto boxed =
+        weights({formulation, "body.tags=[{name=\"end\", box=[[0.4, 0.0], [0.4, 0.2]]}]",
+                 "boundary=[{where=\"end\", traction=1.0}]"});
+    EXPECT_EQ((named - numbered).norm(), 0.0) << formulation;
+    EXPECT_EQ((named - boxed).norm(), 0.0) << formulation;
+    EXPECT_NEAR(named.col(0).sum(), 0.2, 1e-13) << formulation;
   }
 }
 

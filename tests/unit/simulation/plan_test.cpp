@@ -91,5 +91,38 @@ TEST(Plan, NamesStressThatNobodyAsksFor) {
   EXPECT_EQ(spare(no_stress), "");
 }
 
+/// A load on 0.51 … 0.71 of the top, which ends within faces.
+const std::vector<std::string> part = {
+    "body.tags=[{name=\"part\",box=[[0.51,0.999],[0.71,1.001]]},"
+    "{name=\"tip\",box=[[0.999,0.999],[1.001,1.001]]}]",
+    "boundary[1]={where=\"part\",traction=[0.0,-1e3]}"};
+
+TEST(Plan, SaysWhatALoadActsOnAndSumsTo) {
+  for (const char* formulation : {"stress-point", "variational", "consistent"}) {
+    std::vector<std::string> overrides = part;
+    overrides.push_back(std::string("formulation=") + formulation);
+    const std::string text = plan(read_scene_text(lean, "scene", overrides)).text;
+    EXPECT_THAT(text, HasSubstr("load on part: 0.2 m of the boundary, resultant (0, -200) N"))
+        << formulation;
+    EXPECT_THAT(text, HasSubstr("tag part: 2 particles, 0.2 m of the boundary\n")) << formulation;
+    EXPECT_THAT(text, HasSubstr("tag tip: 1 particle, 0.002 m of the boundary\n")) << formulation;
+  }
+}
+
+/// Stress points on the edges of triangles; not in cells, nor in plane stress.
+TEST(Plan, WarnsOfLockingWhereItIs) {
+  const auto warns = [](const std::vector<std::string>& overrides) {
+    const std::string text = plan(read_scene_text(lean, "scene", overrides)).text;
+    return text.find("warning: stress points on the edges of triangles lock") != std::string::npos;
+  };
+  const std::string triangles = "body.layout=hexagonal";
+  EXPECT_TRUE(warns({triangles, "material.poisson=0.45"}));
+  EXPECT_TRUE(warns({triangles, "material.poisson=0.499"}));
+  EXPECT_FALSE(warns({triangles, "material.poisson=0.44"}));
+  EXPECT_FALSE(warns({triangles, "material.poisson=0.499", "material.assumption=stress"}));
+  EXPECT_FALSE(warns({triangles, "material.poisson=0.499", "formulation=variational"}));
+  EXPECT_FALSE(warns({"material.poisson=0.499"}));
+}
+
 }  // namespace
 }  // namespace tlsph
