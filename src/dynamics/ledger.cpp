@@ -49,7 +49,8 @@ struct Ways {
   double before = 0.0, after = 0.0;
 };
 
-/// Reactions of constraints from what their nodes lack to their accelerations.
+/// Reactions of constraints from what their nodes lack to their accelerations; where those are made
+/// of stresses, the inertia of moved nodes.
 template <int D, class Next, class Move, class Push>
 void book_constraints(const Books<D>& books, const Next& next, const Move& move, const Push& push) {
   const Discretisation<D>& disc = books.disc;
@@ -60,14 +61,17 @@ void book_constraints(const Books<D>& books, const Next& next, const Move& move,
       push(dofs[k], slot, -books.f[slot]);
     }
   };
-  still(disc.constraints.fixed, books.slots == nullptr ? none : books.slots->fixed);
-  still(disc.constraints.held, books.slots == nullptr ? none : books.slots->held);
+  if (disc.reactions.empty()) {
+    still(disc.constraints.fixed, books.slots == nullptr ? none : books.slots->fixed);
+    still(disc.constraints.held, books.slots == nullptr ? none : books.slots->held);
+  }
   const std::vector<Index>& moved = books.slots == nullptr ? none : books.slots->moved;
   for (std::size_t k = 0; k < disc.constraints.moved.size(); ++k) {
     const Index dof = disc.constraints.moved[k].dof;
     const Index slot = books.slot(moved, k, dof);
     const double change = next(slot, dof) - books.before[slot];
-    const double reaction = disc.mass[dof / D] * change / books.kick - books.f[slot];
+    const double lacking = disc.reactions.empty() ? -books.f[slot] : 0.0;
+    const double reaction = disc.mass[dof / D] * change / books.kick + lacking;
     move(dof, slot, reaction);
     push(dof, slot, reaction);
   }
@@ -108,7 +112,7 @@ void book_ways(Ledger<D>& ledger, const Books<D>& books, const Ways& ways, const
     move(term.dof, term.dof, force);
     push(term.dof, term.dof, force);
   }
-  if (disc.reactions.empty()) book_constraints(books, next, move, push);
+  book_constraints(books, next, move, push);
   ledger.external_work += 0.5 * work;
   for (int i = 0; i < D; ++i) ledger.impulse[i] += time * impulse[i];
   ledger.angular_impulse += time * angular;

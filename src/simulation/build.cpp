@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "parts.hpp"
 #include "tlsph/boundary/mirror.hpp"
 #include "tlsph/operators/consistency.hpp"
@@ -91,6 +93,49 @@ void add_adjoint_operators(const Scene& scene, Gradients gradients, Discretisati
   disc.divergence = disc.gradient.negative_adjoint(disc.points.V);
 }
 
+/// Reactions of moved edges are m ü + Σ w P, each material point counted for the edge node across
+/// from it. In `mirror` w = V ∂H/∂ū, the work of the stress in a unit motion of the edge, which
+/// closes the balance of energy. In `thesis`, whose forces do no such work, w = Σ_q D_q, what of
+/// a stress the forces of all nodes together have, which closes that of momentum.
+template <int D>
+void add_reactions_of_moved(const Edges<D>& edges, Discretisation<D>& disc) {
+  const LatticeFrame<D>& frame = *disc.particles.frame;
+  for (std::size_t b = 0; b < D; ++b)
+    for (std::size_t side = 0; side < 2; ++side)
+      for (int i = 0; i < D; ++i) {
+        const std::size_t moving = edges[b][side].displacement[static_cast<std::size_t>(i)];
+        if (moving == no_signal) continue;
+        const auto across = [&](Index p) {
+          auto at = frame.coordinates(static_cast<int>(p));
+          at[b] = side == 0 ? 0 : frame.counts[b] - 1;
+          return Index{frame.index(at)};
+        };
+        TensorField<D> w = TensorField<D>::Zero(disc.nodes(), D * D);
+        if (disc.ghosts) {
+          const Neighbours& rows = disc.divergence.pattern();
+          for (std::size_t k = 0; k < rows.column.size(); ++k) {
+            const int p = rows.column[k];
+            const int at = frame.coordinates(p)[b];
+            if ((2 * at < frame.counts[b]) == (side == 0))
+              w(p, i * D + static_cast<int>(b)) +=
+                  disc.divergence.weight(static_cast<Index>(k), static_cast<int>(b), i);
+          }
+        } else {
+          VectorField<D> u = VectorField<D>::Zero(disc.nodes(), D);
+          for (Index p = 0; p < disc.nodes(); ++p) u(across(p), i) = 1.0;
+          disc.gradient.gradient(u, w);
+          for (const SignalTerm& term : disc.gradient_terms)
+            if (term.signal == moving) w.data()[term.slot] += term.weight;
+          w.array().colwise() *= disc.points.V.array();
+        }
+        const double rounding = 1e-14 * w.cwiseAbs().maxCoeff();
+        for (Index p = 0; p < disc.nodes(); ++p)
+          for (Index slot = p * D * D; slot < (p + 1) * D * D; ++slot)
+            if (std::abs(w.data()[slot]) > rounding)
+              disc.reactions.push_back({across(p) * D + i, slot, w.data()[slot]});
+      }
+}
+
 /// Boxes with ghosts: eliminated (`mirror`) or solved for each step (`thesis`).
 template <int D>
 void add_ghost_operators(const Scene& scene, Discretisation<D>& disc) {
@@ -113,6 +158,7 @@ void add_ghost_operators(const Scene& scene, Discretisation<D>& disc) {
     disc.gradient = std::move(folded.gradient);
     disc.gradient_terms = std::move(folded.gradient_terms);
   }
+  add_reactions_of_moved<D>(edges, disc);
 }
 
 }  // namespace

@@ -176,7 +176,6 @@ void add_conditions(const Scene& scene, Discretisation<D>& disc) {
     if (!disc.adjoint) {
       std::set<int> held(boundary.fixed.begin(), boundary.fixed.end());
       if (boundary.symmetry) held.insert(normal_axis<D>(patch, boundary.place));
-      for (const ComponentCurve& motion : boundary.motion) held.insert(motion.component);
       for (const int component : held)
         if (booked.insert({boundary.where, component}).second)
           std::ranges::copy(reaction_terms<D>(patch, component),

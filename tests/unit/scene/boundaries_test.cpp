@@ -125,9 +125,9 @@ TEST(CurveKey, TableOfALoadIsLinearUnlessAskedOtherwise) {
 
 TEST(CurveKey, TableOfAMotionIsCubicUnlessAskedOtherwise) {
   const auto motion = [](const std::string& rest) {
-    const Scene scene = left_of_sheet(
+    const BoundaryScene boundary = left_of_sheet(
         "displacement={x={curve=\"table\", time=[0, 1, 2], value=[0, 1, 0]" + rest + "}}");
-    return std::get<TableCurve>(scene.boundaries.front().motion.front().curve);
+    return std::get<TableCurve>(boundary.motion.front().curve);
   };
 
   EXPECT_THAT(motion("").curvature, ElementsAre(0, -3, 0));
