@@ -3,8 +3,10 @@
 
 #include <algorithm>
 
+#include "in_scene.hpp"
 #include "run_loop.hpp"
 #include "stopwatch.hpp"
+#include "tlsph/core/stop.hpp"
 #include "tlsph/io/files.hpp"
 #include "tlsph/linear/blas_threads.hpp"
 #include "tlsph/scene/names.hpp"
@@ -63,8 +65,7 @@ Summary run_in(const Scene& scene, const RunOptions& options) {
   const Stopwatch setup;
   const ThreadCount threads(options.threads > 0 ? options.threads : omp_get_max_threads());
   if (options.threads > 0) set_blas_threads(options.threads);
-  const auto disc = build<D>(scene);
-  if (options.threads == 0 && disc.nodes() < one_thread_below) omp_set_num_threads(1);
+  const auto disc = in_scene(scene, [&] { return build<D>(scene); });
   Summary summary;
   describe<D>(scene, disc, summary);
   summary.wall_setup = setup.seconds();
@@ -74,8 +75,10 @@ Summary run_in(const Scene& scene, const RunOptions& options) {
     make_output_directory(options.out);
     write_text_file(options.out / "summary.json", summary.json());
   };
+  RunLoop<D> loop = in_scene(scene, [&] { return RunLoop<D>(scene, options, disc); });
+  if (options.threads == 0 && disc.nodes() < one_thread_below) omp_set_num_threads(1);
   try {
-    RunLoop<D>(scene, options, disc).run(summary);
+    loop.run(summary);
   } catch (const NumericalError&) {
     write();
     throw;
@@ -87,7 +90,13 @@ Summary run_in(const Scene& scene, const RunOptions& options) {
 }  // namespace
 
 Summary run(const Scene& scene, const RunOptions& options) {
-  return scene.dimension == 1 ? run_in<1>(scene, options) : run_in<2>(scene, options);
+  try {
+    return scene.dimension == 1 ? run_in<1>(scene, options) : run_in<2>(scene, options);
+  } catch (const Stopped&) {  // in the set-up
+    Summary summary;
+    summary.interrupted = true;
+    return summary;
+  }
 }
 
 std::filesystem::path default_output(const Scene& scene) {
