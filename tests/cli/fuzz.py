@@ -101,7 +101,7 @@ class Generator:
 
     def __init__(self, rng):
         self.rng = rng
-        self.careless = rng.random() < 0.2
+        self.careless = rng.random() < 0.12
 
     def may(self, chance, sound=True):
         return self.rng.random() < chance and (sound or self.careless)
@@ -341,7 +341,7 @@ class Case:
             scene.setdefault("output", {})["frames"] = 2
         else:
             scene = Generator(rng).scene()
-        self.kind = rng.choices(("sound", "keys", "bytes"), (4, 4, 2))[0]
+        self.kind = rng.choices(("sound", "keys", "bytes"), (6, 3, 1))[0]
         if self.kind == "keys":
             for _ in range(rng.choice((1, 1, 2, 3))):
                 change_key(rng, scene, keys)
