@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr char magic[8] = {'T', 'L', 'S', 'P', 'H', 'C', 'K', 'P'};
-constexpr std::uint64_t version = 1;
+constexpr std::uint64_t version = 2;
 
 class Writer {
  public:
@@ -46,7 +46,7 @@ class Reader {
     if (!file_ || error) fail("cannot be read");
   }
   [[noreturn]] void fail(const std::string& message) const {
-    throw InputError(path_.string() + ": " + message + "; start without --resume");
+    throw InputError(Place{path_.string(), 0, 0, ""}, message + "; start without --resume");
   }
   void bytes(void* data, std::size_t count) {
     // Asked before any memory is taken: a damaged length must not ask for all of it.
@@ -95,8 +95,9 @@ template <class Map>
 const auto& find(const Map& map, const std::string& name, const fs::path& path) {
   const auto found = map.find(name);
   if (found == map.end())
-    throw InputError(path.string() + ": has no \"" + name +
-                     "\"; it is another run's checkpoint, start without --resume");
+    throw InputError(
+        Place{path.string(), 0, 0, ""},
+        "has no \"" + name + "\"; it is another run's checkpoint, start without --resume");
   return found->second;
 }
 
@@ -153,9 +154,10 @@ Checkpoint read_checkpoint(const fs::path& path) {
 const std::vector<double>& Checkpoint::array(const std::string& name, std::size_t size) const {
   const auto& values = find(arrays, name, path);
   if (values.size() != size)
-    throw InputError(path.string() + ": \"" + name + "\" holds " + std::to_string(values.size()) +
-                     " values, the run needs " + std::to_string(size) +
-                     "; it is another run's checkpoint, start without --resume");
+    throw InputError(Place{path.string(), 0, 0, ""},
+                     "\"" + name + "\" holds " + std::to_string(values.size()) +
+                         " values, the run needs " + std::to_string(size) +
+                         "; it is another run's checkpoint, start without --resume");
   return values;
 }
 

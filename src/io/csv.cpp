@@ -23,25 +23,36 @@ namespace {
 constexpr std::size_t capacity = 1 << 16;
 constexpr std::size_t widest_value = 26;  // "-1.2345678901234567e-308," has 25
 
-/// Bytes up to and including the end of line number `lines`; `found` counts the lines seen.
-off_t end_of_line(int descriptor, std::size_t lines, std::size_t& found, const fs::path& path) {
+/// The first lines of a table: how many, their bytes, the check sum of all but the header.
+struct Lines {
+  std::size_t count = 0;
+  off_t end = 0;
+  CheckSum sum;
+};
+
+Lines read_lines(int descriptor, std::size_t most, const fs::path& path) {
   std::vector<char> block(capacity);
-  off_t offset = 0;
-  for (found = 0; found < lines;) {
-    const ssize_t got = ::pread(descriptor, block.data(), block.size(), offset);
-    if (got < 0) throw InputError(path.string() + ": cannot read: " + std::strerror(errno));
+  std::string line;
+  Lines lines;
+  while (lines.count < most) {
+    const off_t begin = lines.end + static_cast<off_t>(line.size());
+    const ssize_t got = ::pread(descriptor, block.data(), block.size(), begin);
+    if (got < 0)
+      throw InputError(Place{path.string(), 0, 0, ""},
+                       std::string("cannot read: ") + std::strerror(errno));
     if (got == 0) break;
-    const char* next = block.data();
-    const char* last = next + got;
-    while (found < lines) {
-      next =
-          static_cast<const char*>(std::memchr(next, '\n', static_cast<std::size_t>(last - next)));
-      if (next == nullptr) break;
-      ++next, ++found;
+    std::string_view left(block.data(), static_cast<std::size_t>(got));
+    while (lines.count < most) {
+      const std::size_t end = left.find('\n');
+      line += left.substr(0, end == std::string_view::npos ? end : end + 1);
+      if (end == std::string_view::npos) break;
+      left.remove_prefix(end + 1);
+      if (lines.count++ > 0) lines.sum.add(line.data(), line.size());
+      lines.end += static_cast<off_t>(line.size());
+      line.clear();
     }
-    offset += next != nullptr ? next - block.data() : got;
   }
-  return offset;
+  return lines;
 }
 
 }  // namespace
@@ -78,20 +89,43 @@ CsvWriter::CsvWriter(const fs::path& path, const std::vector<std::string>& colum
   write_all(descriptor_, header.data(), header.size(), path_);
 }
 
-CsvWriter CsvWriter::resume(const fs::path& path, const std::vector<std::string>& columns,
-                            std::size_t rows) {
+CsvWriter CsvWriter::open(const fs::path& path, const std::vector<std::string>& columns,
+                          const CsvRows& rows) {
+  const Place place{path.string(), 0, 0, ""};
   CsvWriter writer(path, columns.size(), ::open(path.c_str(), O_RDWR | O_CLOEXEC));
   if (writer.descriptor_ < 0)
-    throw InputError(path.string() + ": cannot open to go on with it: " + std::strerror(errno));
+    throw InputError(place, std::string("cannot open to go on with it: ") + std::strerror(errno));
   const std::string header = csv_line(columns);
   std::string found(header.size(), '\0');
   const ssize_t got = ::pread(writer.descriptor_, found.data(), found.size(), 0);
   if (got != static_cast<ssize_t>(found.size()) || found != header)
-    throw InputError(path.string() + ": its header is not that of this run, which is \"" +
-                     header.substr(0, header.size() - 1) + "\"; start without --resume");
-  writer.rows_ = rows;  // truncate_after proves it
-  writer.truncate_after(rows);
+    throw InputError(place, "its header is not that of this run, which is \"" +
+                                header.substr(0, header.size() - 1) + "\"; start without --resume");
+  const Lines lines = read_lines(writer.descriptor_, rows.count + 1, path);
+  if (lines.count < rows.count + 1)
+    throw InputError(place, fmt::format("{} rows are needed to go on, {} are there", rows.count,
+                                        lines.count - 1));
+  if (lines.sum.value() != rows.sum.value())
+    throw InputError(place, fmt::format("damaged: the first {} rows are not those that were "
+                                        "written; start without --resume",
+                                        rows.count));
+  writer.rows_ = rows;
+  writer.end_ = lines.end;
   return writer;
+}
+
+CsvWriter CsvWriter::resume(const fs::path& path, const std::vector<std::string>& columns,
+                            const CsvRows& rows) {
+  CsvWriter writer = open(path, columns, rows);
+  if (::ftruncate(writer.descriptor_, writer.end_) != 0) output_failed(path, "shorten", errno);
+  if (::lseek(writer.descriptor_, writer.end_, SEEK_SET) < 0)
+    output_failed(path, "write at the end", errno);
+  return writer;
+}
+
+void CsvWriter::check(const fs::path& path, const std::vector<std::string>& columns,
+                      const CsvRows& rows) {
+  (void)open(path, columns, rows);
 }
 
 CsvWriter::CsvWriter(CsvWriter&& other) noexcept
@@ -112,7 +146,8 @@ CsvWriter::~CsvWriter() {
 void CsvWriter::row(std::span<const double> values) {
   assert(values.size() == columns_);
   if (filled_ + values.size() * widest_value > buffer_.size()) flush();
-  char* next = buffer_.data() + filled_;
+  char* const begin = buffer_.data() + filled_;
+  char* next = begin;
   for (double value : values) {
     // As printf's %.17g, at a quarter of its time.
     next = std::to_chars(next, next + widest_value, value, std::chars_format::general, 17).ptr;
@@ -120,19 +155,8 @@ void CsvWriter::row(std::span<const double> values) {
   }
   next[-1] = '\n';
   filled_ = static_cast<std::size_t>(next - buffer_.data());
-  ++rows_;
-}
-
-void CsvWriter::truncate_after(std::size_t rows) {
-  flush();
-  std::size_t found = 0;
-  const off_t end = end_of_line(descriptor_, rows + 1, found, path_);
-  if (found < rows + 1)
-    throw InputError(fmt::format("{}: {} rows are needed to go on, {} are there", path_.string(),
-                                 rows, found > 0 ? found - 1 : 0));
-  if (::ftruncate(descriptor_, end) != 0) output_failed(path_, "shorten", errno);
-  if (::lseek(descriptor_, end, SEEK_SET) < 0) output_failed(path_, "write at the end", errno);
-  rows_ = rows;
+  ++rows_.count;
+  rows_.sum.add(begin, static_cast<std::size_t>(next - begin));
 }
 
 void CsvWriter::flush() {

@@ -85,8 +85,8 @@ void Hdf5File::Open::write_failed(const std::string& item, const char* action) c
 
 void Hdf5File::Open::read_failed(const std::string& item, const char* action) const {
   const std::string reason = hdf5_reason();
-  throw InputError(path.string() + (item.empty() ? "" : ":" + item) + ": cannot " + action +
-                   (reason.empty() ? "" : ": " + reason));
+  throw InputError(Place{path.string() + (item.empty() ? "" : ":" + item), 0, 0, ""},
+                   std::string("cannot ") + action + (reason.empty() ? "" : ": " + reason));
 }
 
 Hdf5File::Hdf5File(std::unique_ptr<Open> open) : open_(std::move(open)) {}

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cassert>
 #include <cstdint>
+#include <functional>
 #include <numeric>
 
 #include "tlsph/core/error.hpp"
 #include "tlsph/io/xdmf.hpp"
+#include "trial.hpp"
 
 namespace tlsph {
 namespace {
@@ -81,17 +83,30 @@ void write_triangles(Hdf5File& file, const RunLayout& layout, const RunStart& st
 
 void expect_shape(const Hdf5File& file, const std::string& item, const Extents& row_shape,
                   std::size_t least) {
+  const Place place{file.path().string() + ":" + item, 0, 0, ""};
   if (!file.exists(item))
-    throw InputError(file.path().string() + ":" + item +
-                     ": is not there; this is another run's file, start without --resume");
+    throw InputError(place, "is not there; this is another run's file, start without --resume");
   const Extents shape = file.shape(item);
   if (shape.empty() ||
       !std::equal(shape.begin() + 1, shape.end(), row_shape.begin(), row_shape.end()))
-    throw InputError(file.path().string() + ":" + item +
-                     ": has the shape of another run; start without --resume");
+    throw InputError(place, "has the shape of another run; start without --resume");
   if (shape[0] < least)
-    throw InputError(file.path().string() + ":" + item + ": " + std::to_string(least) +
-                     " rows are needed to go on, " + std::to_string(shape[0]) + " are there");
+    throw InputError(place, std::to_string(least) + " rows are needed to go on, " +
+                                std::to_string(shape[0]) + " are there");
+}
+
+std::uint64_t total(const std::map<std::string, CheckSum>& sums) {
+  CheckSum sum;
+  for (const auto& [item, own] : sums) {
+    const std::uint64_t value = own.value();
+    sum.add(&value, sizeof value);
+  }
+  return sum.value();
+}
+
+void add(std::map<std::string, CheckSum>& sums, const std::string& item,
+         std::span<const double> values) {
+  if (!values.empty()) sums[item].add(values.data(), values.size_bytes());
 }
 
 }  // namespace
@@ -146,10 +161,38 @@ Hdf5File create_file(const std::filesystem::path& path, const RunLayout& layout,
   return file;
 }
 
-void copy_rows(const Hdf5File& from, Hdf5File& to, const std::string& item, std::size_t rows,
-               std::size_t at_once) {
-  for (std::size_t first = 0; first < rows; first += at_once)
-    to.append(item, from.read_rows(item, first, std::min(at_once, rows - first)).values);
+/// Hands `rows` of the file at `path` to `take`, series by series.
+void read_series(const std::filesystem::path& path, const RunLayout& layout, const RunRows& rows,
+                 const std::function<void(const std::string&, std::span<const double>)>& take) {
+  const Hdf5File file = Hdf5File::open_read_only(path);
+  expect_shape(file, "/frames/time", {}, rows.frames);
+  expect_shape(file, "/series/time", {}, rows.series);
+  for (const auto& field : layout.fields)
+    expect_shape(file, frames_of(field), frame_shape(layout, field), rows.frames);
+  for (const auto& quantity : layout.series)
+    expect_shape(file, series_of(quantity), series_shape(quantity), rows.series);
+  const auto read = [&](const std::string& item, std::size_t count, std::size_t at_once) {
+    for (std::size_t first = 0; first < count; first += at_once)
+      take(item, file.read_rows(item, first, std::min(at_once, count - first)).values);
+  };
+  for (const auto& field : layout.fields) read(frames_of(field), rows.frames, 1);
+  for (const auto& quantity : layout.series) read(series_of(quantity), rows.series, buffered_rows);
+  read("/series/time", rows.series, buffered_rows);
+  read("/frames/time", rows.frames, buffered_rows);
+}
+
+/// InputError unless the file at `path` can be read and holds what was written.
+void check_rows(const std::filesystem::path& path, const RunLayout& layout, const RunRows& rows) {
+  try_reading(path, [&] {
+    std::map<std::string, CheckSum> sums;
+    read_series(path, layout, rows, [&](const std::string& item, std::span<const double> values) {
+      add(sums, item, values);
+    });
+    if (total(sums) != rows.check_sum)
+      throw InputError(Place{path.string(), 0, 0, ""},
+                       "damaged: its first " + std::to_string(rows.frames) +
+                           " frames are not those that were written; start without --resume");
+  });
 }
 
 }  // namespace
@@ -168,25 +211,26 @@ RunFile RunFile::create(const std::filesystem::path& path, const RunLayout& layo
 }
 
 RunFile RunFile::resume(const std::filesystem::path& path, const RunLayout& layout,
-                        const RunStart& start, std::size_t frames, std::size_t rows) {
-  const Hdf5File old = Hdf5File::open_read_only(path);
-  expect_shape(old, "/frames/time", {}, frames);
-  expect_shape(old, "/series/time", {}, rows);
-  for (const auto& field : layout.fields)
-    expect_shape(old, frames_of(field), frame_shape(layout, field), frames);
-  for (const auto& quantity : layout.series)
-    expect_shape(old, series_of(quantity), series_shape(quantity), rows);
-
+                        const RunStart& start, const RunRows& rows) {
+  check_rows(path, layout, rows);
   RunFile run(path, layout, start);
-  for (const auto& field : layout.fields) copy_rows(old, run.file_, frames_of(field), frames, 1);
-  for (const auto& quantity : layout.series)
-    copy_rows(old, run.file_, series_of(quantity), rows, buffered_rows);
-  copy_rows(old, run.file_, "/series/time", rows, buffered_rows);
-  run.frame_times_ = old.read_rows("/frames/time", 0, frames).values;
-  run.commit(run.frame_times_);
-  run.frames_ = frames;
-  run.rows_ = rows;
+  read_series(path, layout, rows, [&](const std::string& item, std::span<const double> values) {
+    run.append(item, values);
+    if (item == "/frames/time")
+      run.frame_times_.insert(run.frame_times_.end(), values.begin(), values.end());
+  });
+  run.series_rows_ = rows.series;
+  run.flush();
   return run;
+}
+
+RunRows RunFile::rows() const {
+  return {frame_times_.size(), series_rows_, total(sums_)};
+}
+
+void RunFile::append(const std::string& item, std::span<const double> values) {
+  file_.append(item, values);
+  add(sums_, item, values);
 }
 
 void RunFile::write_frame(double time, std::span<const std::span<const double>> fields) {
@@ -194,11 +238,10 @@ void RunFile::write_frame(double time, std::span<const std::span<const double>> 
   for (std::size_t f = 0; f < fields.size(); ++f) {
     assert(fields[f].size() ==
            layout_.rows(layout_.fields[f]) * layout_.components(layout_.fields[f]));
-    file_.append(frames_of(layout_.fields[f]), fields[f]);
+    append(frames_of(layout_.fields[f]), fields[f]);
   }
   commit(std::span(&time, 1));
   frame_times_.push_back(time);
-  ++frames_;
 }
 
 void RunFile::write_series(double time, std::span<const double> values) {
@@ -210,12 +253,12 @@ void RunFile::write_series(double time, std::span<const double> values) {
     values = values.subspan(own.size());
   }
   assert(values.empty());
-  ++rows_;
+  ++series_rows_;
 }
 
 void RunFile::append_series() {
   for (std::size_t q = 0; q < layout_.series.size(); ++q) {
-    file_.append(series_of(layout_.series[q]), series_values_[q]);
+    append(series_of(layout_.series[q]), series_values_[q]);
     series_values_[q].clear();
   }
 }
@@ -224,8 +267,8 @@ void RunFile::commit(std::span<const double> frame_time) {
   append_series();
   // Two flushes: a single one may hand over `time` before the rest.
   file_.flush();
-  file_.append("/frames/time", frame_time);
-  file_.append("/series/time", series_time_);
+  append("/frames/time", frame_time);
+  append("/series/time", series_time_);
   series_time_.clear();
   file_.flush();
   if (file_.path() != path_) file_.rename(path_);

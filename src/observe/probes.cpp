@@ -47,8 +47,12 @@ Probes<D>::Probes(const Discretisation<D>& disc, const std::vector<ProbeRequest<
        {"von_mises", Kind::von_mises}}};
   for (const ProbeRequest<D>& request : requests) {
     Probe probe;
-    probe.nodes = linear_interpolation<D>(disc.particles.X, request.at, disc.spacing);
-    probe.points = linear_interpolation<D>(disc.points.X, request.at, disc.spacing);
+    try {
+      probe.nodes = linear_interpolation<D>(disc.particles.X, request.at, disc.spacing);
+      probe.points = linear_interpolation<D>(disc.points.X, request.at, disc.spacing);
+    } catch (const InputError& error) {
+      throw InputError(request.place, error.what());
+    }
     const auto heaviest = std::max_element(probe.points.weight.begin(), probe.points.weight.end());
     probe.region = region_of<D>(
         disc, probe.points.node[static_cast<std::size_t>(heaviest - probe.points.weight.begin())]);

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "consistency_constraints.hpp"
+#include "tlsph/core/stop.hpp"
 #include "tlsph/linear/factorization.hpp"
 
 namespace tlsph {
@@ -63,6 +64,7 @@ Eigen::VectorXd least_change(const ConsistencyConstraints<D>& constraints, const
     double rho = r.dot(z);
     const double enough = std::max(gain * size, 0.1 * exact_enough);
     for (int k = 0; k < most_iterations && r.cwiseAbs().maxCoeff() > enough && rho > 0; ++k) {
+      stop_point();
       const Eigen::VectorXd image = product(direction);
       const double step = rho / direction.dot(image);
       lambda += step * direction;
@@ -102,6 +104,7 @@ void factorise(std::optional<Cholesky>& factor, SparseMatrix normal,
   for (const Index row : pinned) diagonal(row) += largest;
   double lifted = 0.0;
   for (const double lift : lifts) {
+    stop_point();
     for (Index row = 0; row < normal.rows(); ++row) diagonal(row) += (lift - lifted) * largest;
     lifted = lift;
     try {

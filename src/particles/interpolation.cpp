@@ -73,7 +73,9 @@ InterpolationRow linear_interpolation(const VectorField<D>& X, const Vector<D>& 
       InterpolationRow row = fit<D>(X, x, radius, OnALine::allowed);
       if (!row.node.empty()) return row;
     }
-  throw InputError("no particles around the position determine a linear interpolation there");
+  throw InputError(
+      "no particles around the position determine a linear interpolation there; choose a finer "
+      "spacing");
 }
 
 template InterpolationRow linear_interpolation<1>(const VectorField<1>&, const Vector<1>&, double);

@@ -1,6 +1,7 @@
 #include "command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <iostream>
 
 #include "tlsph/core/error.hpp"
 #include "tlsph/simulation/version.hpp"
@@ -213,6 +214,7 @@ std::optional<CommandLine> parse_command_line(int argc, const char* const* argv)
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) {  // help or version
       app.exit(error);
+      if (!std::cout.flush()) throw OutputError("the standard output could not be written");
       return std::nullopt;
     }
     throw InputError("tlsph: " + std::string(error.what()) + "; see tlsph --help");

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <omp.h>
 
 #include <algorithm>
 #include <csignal>
@@ -13,6 +14,8 @@
 #include "report.hpp"
 #include "tlsph/cases/cases.hpp"
 #include "tlsph/core/error.hpp"
+#include "tlsph/core/stop.hpp"
+#include "tlsph/io/checkpoint.hpp"
 #include "tlsph/scene/reader.hpp"
 #include "tlsph/simulation/simulation.hpp"
 #include "tlsph/stability/atlas.hpp"
@@ -33,8 +36,15 @@ void print(const std::string& text) {
     throw OutputError("the standard output could not be written");
 }
 
-ExitCode interruption() {
-  return interrupt_received() == SIGTERM ? ExitCode::terminated : ExitCode::interrupted;
+/// What to say of a run that goes on with other threads than it was begun with.
+std::string threads_note(const CommandLine& line, const std::filesystem::path& out) {
+  const auto before = read_checkpoint(out / "checkpoint.h5").integer("threads");
+  const int now = line.threads > 0 ? line.threads : omp_get_max_threads();
+  if (before == now) return "";
+  return fmt::format(
+      "begun on {} thread{}, resumed on {}: the same up to rounding, not bit for bit; "
+      "--threads {} keeps the bits\n",
+      before, before == 1 ? "" : "s", now, before);
 }
 
 ExitCode run_scene(const CommandLine& line) {
@@ -45,12 +55,13 @@ ExitCode run_scene(const CommandLine& line) {
   options.threads = line.threads;
   options.resume = line.resume;
   options.progress = [&](const Progress& progress) { display.show(progress); };
-  options.stop_requested = catch_interrupts();
+  options.stop_requested = &stop_flag();
+  const std::string note = line.resume ? threads_note(line, options.out) : "";
 
   const Summary summary = run(scene, options);
 
   display.clear();
-  if (!line.quiet) print(run_report(summary, options.out));
+  if (!line.quiet) print(run_report(summary, options.out) + note);
   return summary.interrupted ? interruption() : ExitCode::done;
 }
 
@@ -237,6 +248,10 @@ ExitCode print_reference() {
 }
 
 }  // namespace
+
+ExitCode interruption() {
+  return interrupt_received() == SIGTERM ? ExitCode::terminated : ExitCode::interrupted;
+}
 
 ExitCode execute(const CommandLine& line) {
   switch (line.command) {

@@ -10,4 +10,7 @@ namespace tlsph {
 /// Runs the command. Errors come out as InputError, NumericalError or OutputError.
 [[nodiscard]] ExitCode execute(const CommandLine& line);
 
+/// Of a command that a signal stopped.
+[[nodiscard]] ExitCode interruption();
+
 }  // namespace tlsph

@@ -1,26 +1,46 @@
 // tlsph: one command a study. Errors become exit codes here and nowhere else.
+#include <fcntl.h>
 #include <fmt/format.h>
 
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <new>
 
 #include "commands.hpp"
+#include "interrupt.hpp"
 #include "tlsph/core/error.hpp"
+#include "tlsph/core/stop.hpp"
 
 namespace {
 
 using tlsph::ExitCode;
 
+/// An error that cannot be told (a full disk, a closed stream) has its exit code all the same.
 ExitCode complain(const std::string& message, ExitCode code) {
-  fmt::print(stderr, "{}\n", message);
+  (void)std::fputs((message + "\n").c_str(), stderr);
   return code;
+}
+
+/// Streams the caller has closed are opened such that using them fails: the next file that is
+/// opened would take their place, and messages would go into it.
+void guard_streams() {
+  for (const int stream : {0, 1, 2})
+    if (fcntl(stream, F_GETFD) < 0) (void)open("/dev/null", stream == 0 ? O_WRONLY : O_RDONLY);
+}
+
+/// A reader that went away and a limit on the size of files (ulimit -f) are failures to write, told
+/// like all others.
+void keep_write_errors() {
+  for (const int number : {SIGPIPE, SIGXFSZ}) std::signal(number, SIG_IGN);
 }
 
 ExitCode run_program(int argc, const char* const* argv) {
   try {
     const auto line = tlsph::parse_command_line(argc, argv);
     return line ? tlsph::execute(*line) : ExitCode::done;
+  } catch (const tlsph::Stopped&) {
+    return tlsph::interruption();
   } catch (const tlsph::InputError& error) {
     return complain(error.what(), ExitCode::bad_input);
   } catch (const tlsph::NumericalError& error) {
@@ -39,5 +59,8 @@ ExitCode run_program(int argc, const char* const* argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  guard_streams();
+  keep_write_errors();
+  tlsph::end_on_interrupts();
   return static_cast<int>(run_program(argc, argv));
 }

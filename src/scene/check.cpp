@@ -208,7 +208,9 @@ std::vector<std::string> words_of(const std::string& range) {
 }
 
 std::string nearest(std::string_view word, const std::vector<std::string>& words) {
+  constexpr std::size_t longest = 64;  // of a slip; the table of distances is as long as the word
   std::string best;
+  if (word.size() > longest) return best;
   std::size_t least = std::numeric_limits<std::size_t>::max();
   for (const auto& candidate : words) {
     const std::size_t steps = distance(word, candidate);

@@ -11,6 +11,9 @@
 namespace tlsph {
 namespace {
 
+/// Levels of tables and lists below the root, and parts of a dotted key: far more than a scene has.
+constexpr std::size_t deepest = 16;
+
 /// Where values come from: a file, or an override at `path`, whose values all share one place that
 /// already names the path.
 struct Origin {
@@ -24,16 +27,17 @@ struct Origin {
   }
 };
 
-Node convert(const toml::node& node, const Origin& origin, const std::string& path);
+Node convert(const toml::node& node, const Origin& origin, const std::string& path,
+             std::size_t depth);
 
 std::vector<Entry> convert_table(const toml::table& table, const Origin& origin,
-                                 const std::string& path) {
+                                 const std::string& path, std::size_t depth) {
   std::vector<std::pair<toml::source_position, Entry>> entries;
   for (const auto& [key, value] : table) {
     const std::string name(key.str());
     const std::string below = join_path(path, name);
     entries.emplace_back(key.source().begin, Entry{name, origin.at(key.source(), below),
-                                                   convert(value, origin, below)});
+                                                   convert(value, origin, below, depth)});
   }
   // The library sorts by name; the user's order is that of the file.
   std::stable_sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) {
@@ -44,7 +48,14 @@ std::vector<Entry> convert_table(const toml::table& table, const Origin& origin,
   return result;
 }
 
-Node convert(const toml::node& node, const Origin& origin, const std::string& path) {
+/// Of a node `depth` levels below the root.
+Node convert(const toml::node& node, const Origin& origin, const std::string& path,
+             std::size_t depth) {
+  if (depth > deepest)
+    throw InputError(origin.at(node.source(), ""),
+                     fmt::format("more than {} levels of tables and lists; no key of a scene lies "
+                                 "so deep",
+                                 deepest));
   Node result{Unsupported{}, origin.at(node.source(), path), path};
   if (const auto* flag = node.as_boolean()) {
     result.value = flag->get();
@@ -55,11 +66,11 @@ Node convert(const toml::node& node, const Origin& origin, const std::string& pa
   } else if (const auto* text = node.as_string()) {
     result.value = text->get();
   } else if (const auto* table = node.as_table()) {
-    result.value = convert_table(*table, origin, path);
+    result.value = convert_table(*table, origin, path, depth + 1);
   } else if (const auto* array = node.as_array()) {
     std::vector<Node> items;
     for (std::size_t i = 0; i < array->size(); ++i)
-      items.push_back(convert((*array)[i], origin, fmt::format("{}[{}]", path, i)));
+      items.push_back(convert((*array)[i], origin, fmt::format("{}[{}]", path, i), depth + 1));
     result.value = std::move(items);
   }
   return result;
@@ -114,6 +125,49 @@ void require_text(const std::string& text, const std::string& name, bool lines) 
   }
 }
 
+bool is_bare(const std::string& name) {
+  return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '-';
+  });
+}
+
+/// The character after the string that begins at `i`; `line` counts those it goes over.
+std::size_t end_of_string(const std::string& text, std::size_t i, std::size_t& line) {
+  const std::string mark(text.compare(i, 3, std::string(3, text[i])) == 0 ? 3 : 1, text[i]);
+  for (i += mark.size(); i < text.size(); ++i) {
+    if (text.compare(i, mark.size(), mark) == 0) return i + mark.size();
+    if (text[i] == '\n' && mark.size() == 1) return i;  // not TOML, as the parser will say
+    if (text[i] == '\n') ++line;
+    if (text[i] == '\\' && mark[0] == '"' && i + 1 < text.size() && text[i + 1] != '\n') ++i;
+  }
+  return text.size();
+}
+
+/// InputError at the first key of more dotted parts than any key of a scene has. The parser makes a
+/// table of each part, one in the other, and the way down a chain of thousands ends the stack.
+void require_short_keys(const std::string& text, const std::string& name, bool lines) {
+  std::size_t line = 1, begin = 0, dots = 0;
+  for (std::size_t i = 0; i < text.size();) {
+    const char c = text[i];
+    if (c == '#') {
+      i = std::min(text.find('\n', i), text.size());
+    } else if (c == '"' || c == '\'') {
+      i = end_of_string(text, i, line);
+    } else {
+      const bool in_key = is_bare(std::string(1, c)) || c == ' ' || c == '\t';
+      if (c == '.' && ++dots > deepest)
+        throw InputError(
+            lines ? Place{name, static_cast<int>(line), static_cast<int>(i - begin) + 1, ""}
+                  : Place{name, 0, 0, ""},
+            fmt::format("a key of more than {} parts; no key of a scene has as many", deepest));
+      if (c != '.' && !in_key) dots = 0;
+      ++i;
+      if (c == '\n') ++line, begin = i;
+    }
+  }
+}
+
 std::string quote(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {
@@ -127,13 +181,6 @@ std::string quote(const std::string& text) {
     }
   }
   return result + '"';
-}
-
-bool is_bare(const std::string& name) {
-  return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-           c == '-';
-  });
 }
 
 std::string print_key(const std::string& name) {
@@ -177,9 +224,10 @@ std::string join_path(const std::string& path, const std::string& name) {
 
 Node parse_document(const std::string& text, const std::string& name) {
   require_text(text, name, true);
+  require_short_keys(text, name, true);
   try {
     const toml::table table = toml::parse(text, name);
-    return Node{convert_table(table, Origin{name, std::nullopt}, ""), Place{name, 1, 1, ""}, ""};
+    return Node{convert_table(table, Origin{name, std::nullopt}, "", 1), Place{name, 1, 1, ""}, ""};
   } catch (const toml::parse_error& error) {
     const auto& begin = error.source().begin;
     throw InputError(Place{name, static_cast<int>(begin.line), static_cast<int>(begin.column), ""},
@@ -191,10 +239,12 @@ std::optional<Node> parse_value(const std::string& text, const Place& place,
                                 const std::string& path) {
   require_text(text, place.file, false);
   try {
-    const toml::table table = toml::parse("value = " + text + "\n");
+    const std::string line = "value = " + text + "\n";
+    require_short_keys(line, place.file, false);
+    const toml::table table = toml::parse(line);
     // A line break in the text could smuggle in more entries: then it is no single value.
     if (table.size() != 1) return std::nullopt;
-    return convert(*table.get("value"), Origin{place.file, path}, path);
+    return convert(*table.get("value"), Origin{place.file, path}, path, 1);
   } catch (const toml::parse_error&) {
     return std::nullopt;
   }

@@ -4,6 +4,7 @@
 
 #include "parts.hpp"
 #include "tlsph/boundary/mirror.hpp"
+#include "tlsph/core/stop.hpp"
 #include "tlsph/operators/consistency.hpp"
 #include "tlsph/operators/gradients.hpp"
 #include "tlsph/operators/local_volumes.hpp"
@@ -82,6 +83,7 @@ void add_adjoint_operators(const Scene& scene, Gradients gradients, Discretisati
         point_gradient<D>(kernel_of(scene), h, disc.points.X, particles.X, scene.kernel.order);
   else
     disc.gradient = cell_gradient<D>(particles, disc.points);
+  stop_point();
   if (scene.consistency && gradients == Gradients::corrected) {
     auto corrected = consistent_gradient<D>(disc.gradient, disc.points, particles,
                                             {scene.consistency->rows, scene.consistency->columns},
@@ -168,6 +170,7 @@ Discretisation<D> build(const Scene& scene, Gradients gradients) {
   Eigen::setNbThreads(1);  // its products would wait for their threads where cores are taken
   Discretisation<D> disc;
   disc.particles = build_particles<D>(scene);
+  stop_point();
   if (scene.consistency && is_collocated(scene.formulation)) {
     const QuadratureDegrees degrees = moments_of(*scene.consistency);
     // Scattered points do better with their Voronoi cells, and a file may bring volumes of its own.
@@ -177,6 +180,7 @@ Discretisation<D> build(const Scene& scene, Gradients gradients) {
         std::move(disc.particles), degrees,
         scene.body.fit ? &std::get<Shape<D>>(scene.body.shape) : nullptr, scene.consistency->place);
   }
+  stop_point();
   disc.spacing = disc.particles.spacing;
   disc.points = scene.formulation == Formulation::stress_point ? cell_points<D>(disc.particles)
                                                                : node_points<D>(disc.particles);
@@ -189,7 +193,9 @@ Discretisation<D> build(const Scene& scene, Gradients gradients) {
     add_adjoint_operators<D>(scene, gradients, disc);
   else
     add_ghost_operators<D>(scene, disc);
+  stop_point();
   parts::add_stabiliser<D>(scene, disc);
+  stop_point();
   return disc;
 }
 

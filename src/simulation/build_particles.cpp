@@ -123,7 +123,8 @@ template <int D>
 Particles<D> imported(const Scene& scene, const Shape<D>& shape) {
   const std::filesystem::path file =
       std::filesystem::path(scene.file).parent_path() / scene.body.cloud;
-  if (!std::filesystem::exists(file))
+  std::error_code unreadable;  // a name too long, a folder that may not be entered: no file either
+  if (!std::filesystem::exists(file, unreadable))
     throw InputError(scene.body.cloud_place,
                      fmt::format("there is no file {}; the path is relative to the scene's folder",
                                  file.string()));

@@ -4,12 +4,15 @@
 #include <cmath>
 #include <filesystem>
 
+#include "in_scene.hpp"
 #include "tlsph/core/error.hpp"
+#include "tlsph/core/stop.hpp"
 #include "tlsph/dynamics/critical_step.hpp"
 #include "tlsph/dynamics/stabiliser_forces.hpp"
 #include "tlsph/io/files.hpp"
 #include "tlsph/io/json.hpp"
 #include "tlsph/io/matrix_market.hpp"
+#include "tlsph/io/new_files.hpp"
 #include "tlsph/io/operators_file.hpp"
 #include "tlsph/operators/gradients.hpp"
 #include "tlsph/scene/names.hpp"
@@ -55,6 +58,7 @@ class Exporter {
       : directory_(directory), file_(directory / "operators.h5", particles, points) {}
 
   void write(const std::string& name, const SparseMatrix& matrix) {
+    stop_point();
     write_matrix_market(directory_ / (name + ".mtx"), matrix);
     file_.write(name, matrix);
     Json entry;
@@ -137,7 +141,8 @@ void write_vector_operator(Exporter& out, const char* letter, const VectorOperat
 
 template <int D>
 void export_in(const Scene& scene, const std::filesystem::path& directory) {
-  const Discretisation<D> disc = build<D>(scene);
+  const auto disc = build<D>(scene);
+  may_end_at_once() = false;
   make_output_directory(directory);
   std::vector<std::int64_t> tags(static_cast<std::size_t>(disc.nodes()), 0);
   VectorField<D> X = disc.particles.X;
@@ -205,7 +210,14 @@ void export_in(const Scene& scene, const std::filesystem::path& directory) {
 }  // namespace
 
 void export_operators(const Scene& scene, const std::filesystem::path& out) {
-  scene.dimension == 1 ? export_in<1>(scene, out) : export_in<2>(scene, out);
+  const NewFiles made(out);
+  try {
+    in_scene(scene,
+             [&] { scene.dimension == 1 ? export_in<1>(scene, out) : export_in<2>(scene, out); });
+  } catch (...) {  // half of the operators are of no use
+    made.remove();
+    throw;
+  }
 }
 
 }  // namespace tlsph

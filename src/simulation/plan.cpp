@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "in_scene.hpp"
 #include "memory.hpp"
 #include "parts.hpp"
 #include "savings.hpp"
@@ -196,7 +197,8 @@ std::string plan_in(const Scene& scene) {
 }  // namespace
 
 Plan plan(const Scene& scene) {
-  return {scene.dimension == 1 ? plan_in<1>(scene) : plan_in<2>(scene)};
+  return {in_scene(scene,
+                   [&] { return scene.dimension == 1 ? plan_in<1>(scene) : plan_in<2>(scene); })};
 }
 
 }  // namespace tlsph

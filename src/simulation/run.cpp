@@ -2,11 +2,13 @@
 
 #include <algorithm>
 
+#include "in_scene.hpp"
 #include "memory.hpp"
 #include "parts.hpp"
 #include "run_loop.hpp"
 #include "stopwatch.hpp"
 #include "tlsph/core/free_cores.hpp"
+#include "tlsph/core/stop.hpp"
 #include "tlsph/io/files.hpp"
 #include "tlsph/linear/blas_threads.hpp"
 #include "tlsph/scene/names.hpp"
@@ -64,7 +66,7 @@ Summary run_in(const Scene& scene, const RunOptions& options) {
     set_blas_threads(options.threads);
   else if (scene.consistency && !cores_are_free(omp_get_max_threads()))
     set_blas_threads(1);
-  const auto disc = build<D>(scene);
+  const auto disc = in_scene(scene, [&] { return build<D>(scene); });
   if (options.threads == 0 && disc.nodes() < one_thread_below) omp_set_num_threads(1);
   Summary summary;
   describe<D>(scene, disc, summary);
@@ -75,8 +77,10 @@ Summary run_in(const Scene& scene, const RunOptions& options) {
     make_output_directory(options.out);
     write_text_file(options.out / "summary.json", summary.json());
   };
+  RunLoop<D> loop = in_scene(scene, [&] { return RunLoop<D>(scene, options, disc); });
+  if (options.threads == 0 && disc.nodes() < one_thread_below) omp_set_num_threads(1);
   try {
-    RunLoop<D>(scene, options, disc).run(summary);
+    loop.run(summary);
   } catch (const NumericalError&) {
     write();
     throw;
@@ -88,7 +92,13 @@ Summary run_in(const Scene& scene, const RunOptions& options) {
 }  // namespace
 
 Summary run(const Scene& scene, const RunOptions& options) {
-  return scene.dimension == 1 ? run_in<1>(scene, options) : run_in<2>(scene, options);
+  try {
+    return scene.dimension == 1 ? run_in<1>(scene, options) : run_in<2>(scene, options);
+  } catch (const Stopped&) {  // in the set-up
+    Summary summary;
+    summary.interrupted = true;
+    return summary;
+  }
 }
 
 std::filesystem::path default_output(const Scene& scene) {

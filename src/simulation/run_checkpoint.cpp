@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <omp.h>
-
 #include <bit>
 
 #include "run_loop.hpp"
@@ -123,11 +121,14 @@ void RunLoop<D>::save_checkpoint() {
                    {"books_every", books_every_},
                    {"next_frame", next_frame_},
                    {"hyperbolicity_lost_at", hyperbolicity_lost_ ? hyperbolicity_lost_->point : -1},
-                   {"frames", static_cast<std::int64_t>(counts.frames)},
-                   {"series", static_cast<std::int64_t>(counts.series)},
-                   {"probes", static_cast<std::int64_t>(counts.probes)},
+                   {"frames", static_cast<std::int64_t>(counts.run.frames)},
+                   {"series", static_cast<std::int64_t>(counts.run.series)},
+                   {"run_sum", std::bit_cast<std::int64_t>(counts.run.check_sum)},
+                   {"probes", static_cast<std::int64_t>(counts.probes.count)},
+                   {"probes_sum", std::bit_cast<std::int64_t>(counts.probes.sum.value())},
+                   {"exact_sum", std::bit_cast<std::int64_t>(counts.exact.sum.value())},
                    {"particles", check_sum(disc_.particles)},
-                   {"threads", omp_get_max_threads()}};
+                   {"threads", threads_}};
   view.texts = {{"scene", scene_.text}};
   write_checkpoint(options_.out / "checkpoint.h5", view);
   output_seconds_ += watch.seconds();
@@ -170,9 +171,15 @@ void RunLoop<D>::resume_from(const Checkpoint& checkpoint) {
     hyperbolicity_lost_ = {
         lost[0], point, {&lost[2], &lost[2] + D}, {&lost[2] + D, &lost[2] + 2 * D}, lost[1]};
   }
-  const OutputCounts counts{static_cast<std::size_t>(checkpoint.integer("frames")),
-                            static_cast<std::size_t>(checkpoint.integer("series")),
-                            static_cast<std::size_t>(checkpoint.integer("probes"))};
+  const auto count = [&](const char* name) {
+    return static_cast<std::size_t>(checkpoint.integer(name));
+  };
+  const auto sum = [&](const char* name) {
+    return std::bit_cast<std::uint64_t>(checkpoint.integer(name));
+  };
+  const OutputCounts counts{{count("frames"), count("series"), sum("run_sum")},
+                            {count("probes"), CheckSum(sum("probes_sum"))},
+                            {count("probes"), CheckSum(sum("exact_sum"))}};
   output_.emplace(options_.out, scene_, disc_, probes_, exact_, counts);
   last_checkpoint_ = Stopwatch::now();
 }

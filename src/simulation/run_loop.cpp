@@ -7,9 +7,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "in_scene.hpp"
 #include "parts.hpp"
 #include "stopwatch.hpp"
 #include "tlsph/core/parallel.hpp"
+#include "tlsph/core/stop.hpp"
 #include "tlsph/observe/errors.hpp"
 #include "tlsph/scene/names.hpp"
 
@@ -25,7 +27,8 @@ template <int D>
 std::vector<ProbeRequest<D>> probe_requests(const Scene& scene) {
   std::vector<ProbeRequest<D>> requests;
   for (const ProbeScene& probe : scene.probes) {
-    ProbeRequest<D> request{probe.name, Eigen::Map<const Vector<D>>(probe.at.data()), {}};
+    ProbeRequest<D> request{
+        probe.name, Eigen::Map<const Vector<D>>(probe.at.data()), {}, probe.place};
     for (const Quantity quantity : probe.record) request.quantities.emplace_back(name_of(quantity));
     requests.push_back(std::move(request));
   }
@@ -62,16 +65,20 @@ void RunLoop<D>::plan_sweep(Summary& summary) {
 template <int D>
 void RunLoop<D>::run(Summary& summary) {
   const Stopwatch setup;
-  InitialState<D> initial = build_initial<D>(scene_, disc_);
-  for (std::string& warning : parts::start_jumps<D>(scene_, disc_, initial))
-    summary.warnings.push_back(std::move(warning));
-  state_ = make_state<D>(disc_, std::move(initial.displacement), std::move(initial.velocity));
-  evaluate<D>(disc_, state_);
-  choose_step(summary);
-  plan_sweep(summary);
+  in_scene(scene_, [&] {
+    InitialState<D> initial = build_initial<D>(scene_, disc_);
+    for (std::string& warning : parts::start_jumps<D>(scene_, disc_, initial))
+      summary.warnings.push_back(std::move(warning));
+    state_ = make_state<D>(disc_, std::move(initial.displacement), std::move(initial.velocity));
+    evaluate<D>(disc_, state_);
+    choose_step(summary);
+    stop_point();
+    plan_sweep(summary);
+  });
   books_every_ = scene_.output.energy_every > 0
                      ? scene_.output.energy_every
                      : std::max(fewest_steps_between, clock_.count / default_book_rows);
+  may_end_at_once() = false;
   if (options_.resume) {
     resume_from(read_checkpoint(options_.out / "checkpoint.h5"));
   } else {

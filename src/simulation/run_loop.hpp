@@ -2,6 +2,8 @@
 /// \file
 /// The time loop of a run, from the initial state or a checkpoint to the end. Not for other rooms.
 
+#include <omp.h>
+
 #include <optional>
 #include <string>
 
@@ -59,6 +61,7 @@ class RunLoop {
   const Scene& scene_;
   const RunOptions& options_;
   const Discretisation<D>& disc_;
+  const int threads_ = omp_get_max_threads();  ///< of the set-up; a small body steps on one
   ExactSolution<D> exact_;
   Probes<D> probes_;
   std::optional<Sweep<D>> sweep_;  ///< where the discretisation allows it

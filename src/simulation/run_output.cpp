@@ -131,30 +131,34 @@ RunOutput<D>::RunOutput(const std::filesystem::path& directory, const Scene& sce
     for (const int node : disc.particles.patches[bit].nodes)
       tags[static_cast<std::size_t>(node)] |= std::int64_t{1} << bit;
   }
-  const auto run_path = directory / "run.h5";
-  run_file_.emplace(
-      resumed ? RunFile::resume(run_path, layout_, start, resumed->frames, resumed->series)
-              : RunFile::create(run_path, layout_, start));
-
-  const auto open = [&](const char* name, const std::vector<std::string>& columns) {
-    return resumed ? CsvWriter::resume(directory / name, columns, resumed->probes)
-                   : CsvWriter(directory / name, columns);
-  };
   std::vector<std::string> columns = {"time"};
   columns.insert(columns.end(), probes.columns().begin(), probes.columns().end());
   probe_row_.resize(columns.size());
   exact_row_.resize(columns.size());
-  probe_file_.emplace(open("probes.csv", columns));
+  std::vector<std::string> known;  // of probes_exact.csv; empty: there is none
   if (exact.displacement && !scene.probes.empty()) {
-    std::vector<std::string> known = {"time"};
+    known = {"time"};
     for (const std::string& column : probes.columns()) {
       const std::string stem = column.substr(column.rfind('.') + 1);
       for (const Quantity quantity :
            {Quantity::displacement, Quantity::velocity, Quantity::pk1, Quantity::cauchy})
         if (stem.starts_with(name_of(quantity))) known.push_back(column);
     }
-    exact_file_.emplace(open("probes_exact.csv", known));
   }
+  const auto run_path = directory / "run.h5";
+  const auto probes_path = directory / "probes.csv";
+  const auto exact_path = directory / "probes_exact.csv";
+  if (!resumed) {
+    run_file_.emplace(RunFile::create(run_path, layout_, start));
+    probe_file_.emplace(probes_path, columns);
+    if (!known.empty()) exact_file_.emplace(exact_path, known);
+    return;
+  }
+  CsvWriter::check(probes_path, columns, resumed->probes);
+  if (!known.empty()) CsvWriter::check(exact_path, known, resumed->exact);
+  run_file_.emplace(RunFile::resume(run_path, layout_, start, resumed->run));
+  probe_file_.emplace(CsvWriter::resume(probes_path, columns, resumed->probes));
+  if (!known.empty()) exact_file_.emplace(CsvWriter::resume(exact_path, known, resumed->exact));
 }
 
 template <int D>
@@ -256,7 +260,7 @@ void RunOutput<D>::flush() {
 
 template <int D>
 OutputCounts RunOutput<D>::counts() const {
-  return {run_file_->frames(), run_file_->series_rows(), probe_file_->rows()};
+  return {run_file_->rows(), probe_file_->rows(), exact_file_ ? exact_file_->rows() : CsvRows{}};
 }
 
 template class RunOutput<1>;

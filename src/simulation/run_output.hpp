@@ -22,13 +22,15 @@ namespace tlsph {
 
 /// Rows written so far, for a checkpoint.
 struct OutputCounts {
-  std::size_t frames = 0, series = 0, probes = 0;
+  RunRows run;
+  CsvRows probes, exact;
 };
 
 template <int D>
 class RunOutput {
  public:
-  /// New files in `directory`, or those of a run that goes on after `resumed`.
+  /// New files in `directory`, or those of a run that goes on after `resumed`. InputError, with
+  /// nothing changed, if those are not there or not as they were written.
   RunOutput(const std::filesystem::path& directory, const Scene& scene,
             const Discretisation<D>& discretisation, const Probes<D>& probes,
             const ExactSolution<D>& exact, const std::optional<OutputCounts>& resumed);

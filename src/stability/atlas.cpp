@@ -11,6 +11,7 @@
 #include "failure.hpp"
 #include "judge.hpp"
 #include "tlsph/core/error.hpp"
+#include "tlsph/core/stop.hpp"
 #include "tlsph/io/files.hpp"
 #include "tlsph/linear/blas_threads.hpp"
 #include "tlsph/simulation/version.hpp"
@@ -122,7 +123,12 @@ Atlas draw_atlas(const AtlasRequest& request, const AtlasOptions& options) {
       break;
     }
     if (options.progress) options.progress(done / total, piece.name);
-    piece.draw(atlas);
+    try {
+      piece.draw(atlas);
+    } catch (const Stopped&) {
+      atlas.interrupted = true;
+      break;
+    }
     done += piece.weight;
   }
   atlas.failures = failures_of(atlas);

@@ -14,6 +14,7 @@
 #include "probe_values.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/io/files.hpp"
+#include "tlsph/io/new_files.hpp"
 #include "tlsph/scene/reader.hpp"
 #include "tlsph/simulation/version.hpp"
 #include "tlsph/studies/chart_search.hpp"
@@ -289,7 +290,13 @@ class ChartStudy {
 
 ChartTable chart(const ChartRequest& request, const ChartOptions& options) {
   const ChartPlan plan = plan_chart(request);
-  return ChartStudy(request, plan, options).run();
+  const NewFiles made(options.out);
+  try {
+    return ChartStudy(request, plan, options).run();
+  } catch (const InputError&) {
+    made.remove();
+    throw;
+  }
 }
 
 }  // namespace tlsph

@@ -10,6 +10,7 @@
 #include "probe_values.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/io/files.hpp"
+#include "tlsph/io/new_files.hpp"
 #include "tlsph/simulation/version.hpp"
 #include "tlsph/studies/convergence_levels.hpp"
 
@@ -214,7 +215,13 @@ class Study {
 
 ConvergenceTable converge(const ConvergenceRequest& request, const ConvergenceOptions& options) {
   const ConvergencePlan plan = plan_convergence(request);
-  return Study(request, plan, options).run();
+  const NewFiles made(options.out);
+  try {
+    return Study(request, plan, options).run();
+  } catch (const InputError&) {
+    made.remove();
+    throw;
+  }
 }
 
 }  // namespace tlsph

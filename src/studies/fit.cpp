@@ -11,6 +11,7 @@
 #include "fit_plan.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/io/files.hpp"
+#include "tlsph/io/new_files.hpp"
 #include "tlsph/scene/reader.hpp"
 #include "tlsph/simulation/version.hpp"
 
@@ -293,7 +294,13 @@ class FitStudy {
 
 FitTable fit(const FitRequest& request, const FitOptions& options) {
   const FitPlan plan = plan_fit(request);
-  return FitStudy(request, plan, options).run();
+  const NewFiles made(options.out);
+  try {
+    return FitStudy(request, plan, options).run();
+  } catch (const InputError&) {
+    made.remove();
+    throw;
+  }
 }
 
 }  // namespace tlsph

@@ -1,10 +1,12 @@
 #include "fit_pilot.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "fit_plan.hpp"
 #include "probe_values.hpp"
 #include "tlsph/analysis/history.hpp"
+#include "tlsph/simulation/builder.hpp"
 
 namespace tlsph {
 namespace {
@@ -14,6 +16,8 @@ constexpr double short_run = 0.05;
 constexpr int repetitions = 3;
 /// What is below is zero: errors have logarithms.
 constexpr double zero = 1e-16;
+/// Share of the memory that a model may need.
+constexpr double usable = 0.8;
 
 double error_of(const FitRequest& request, const Summary& summary, double answer,
                 const std::filesystem::path& folder) {
@@ -64,6 +68,15 @@ void conclude(FitFamily& family, double error, const Scene& scene, int dimension
   family.spacing = next_division(scene, spacing);
   family.reaches = family.spacing > 0.0;
   if (!family.reaches) return;
+  const Pilot& finest = family.pilots.back();
+  const double particles =
+      static_cast<double>(finest.particles) * std::pow(finest.spacing / family.spacing, dimension);
+  if (operator_bytes(scene, particles) + correction_bytes(scene, particles) >
+      usable * machine_bytes()) {
+    family.reaches = false;
+    family.note = "more memory than there is";
+    return;
+  }
   family.predicted_error = predicted_error(family.pilots, errors, family.spacing);
   family.predicted_seconds = predicted_seconds(family.pilots, family.spacing, dimension);
 }

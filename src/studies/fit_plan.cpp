@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string_view>
 
 #include "chart_plan.hpp"
@@ -132,6 +133,7 @@ double next_division_in(const Scene& scene, double spacing) {
   const Box<D> box = bounding_box(std::get<Shape<D>>(scene.body.shape));
   const double shortest = (box.upper - box.lower).minCoeff();
   const double first = std::max(1.0, std::ceil(shortest / spacing * (1.0 - 1e-9)));
+  if (!(first < std::numeric_limits<int>::max())) return 0.0;
   // Beyond 50 cells a length every division fits.
   for (double n = first; n <= first + 100.0; n += 1.0) {
     try {

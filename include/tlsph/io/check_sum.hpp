@@ -14,6 +14,9 @@ namespace tlsph {
 /// accidents, not against forgers. Each `add` begins a new word.
 class CheckSum {
  public:
+  CheckSum() = default;
+  /// Goes on from the `value` of another.
+  explicit CheckSum(std::uint64_t value) : sum_(value) {}
   void add(const void* bytes, std::size_t count) {
     const char* next = static_cast<const char*>(bytes);
     for (; count >= 8; next += 8, count -= 8) {

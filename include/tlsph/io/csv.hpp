@@ -9,7 +9,15 @@
 #include <string>
 #include <vector>
 
+#include "tlsph/io/check_sum.hpp"
+
 namespace tlsph {
+
+/// The rows of a table so far.
+struct CsvRows {
+  std::size_t count = 0;
+  CheckSum sum;  ///< of their text, row by row
+};
 
 /// Writes rows into a buffer and the buffer into the file when it is full, on `flush` and on
 /// `close`. Failures throw OutputError naming the file.
@@ -17,10 +25,13 @@ class CsvWriter {
  public:
   /// Starts the table anew: whatever the file held is gone.
   CsvWriter(const std::filesystem::path& path, const std::vector<std::string>& columns);
-  /// Reopens a table and cuts it after `rows` rows, a last line without its end included. Throws
-  /// InputError if the header is not that of `columns` or fewer rows are there.
+  /// Reopens a table and cuts it after `rows`, a last line without its end included. Throws
+  /// InputError if the header is not that of `columns`, or rows are missing or not as they were.
   static CsvWriter resume(const std::filesystem::path& path,
-                          const std::vector<std::string>& columns, std::size_t rows);
+                          const std::vector<std::string>& columns, const CsvRows& rows);
+  /// Throws what `resume` would; changes nothing.
+  static void check(const std::filesystem::path& path, const std::vector<std::string>& columns,
+                    const CsvRows& rows);
   CsvWriter(CsvWriter&& other) noexcept;
   CsvWriter(const CsvWriter&) = delete;
   CsvWriter& operator=(const CsvWriter&) = delete;
@@ -31,18 +42,19 @@ class CsvWriter {
   /// One row of as many values as there are columns. Allocates no memory.
   void row(std::span<const double> values);
   /// Rows in the table, those that stood there on `resume` included.
-  [[nodiscard]] std::size_t rows() const { return rows_; }
-  /// Cuts the table after `rows` rows. Throws InputError if it has fewer.
-  void truncate_after(std::size_t rows);
+  [[nodiscard]] const CsvRows& rows() const { return rows_; }
   void flush();
   void close();
 
  private:
   CsvWriter(std::filesystem::path path, std::size_t columns, int descriptor);
+  static CsvWriter open(const std::filesystem::path& path, const std::vector<std::string>& columns,
+                        const CsvRows& rows);
 
   std::filesystem::path path_;
   std::size_t columns_ = 0;
-  std::size_t rows_ = 0;
+  CsvRows rows_;
+  long long end_ = 0;  // bytes of what it begins with on resume
   int descriptor_ = -1;
   std::vector<char> buffer_;  // its size is the capacity, filled_ of it are in use
   std::size_t filled_ = 0;

@@ -25,10 +25,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "tlsph/io/check_sum.hpp"
 #include "tlsph/io/cloud.hpp"
 #include "tlsph/io/hdf5.hpp"
 
@@ -79,18 +81,24 @@ struct RunStart {
   std::span<const std::int32_t> line = {};       ///< particles; empty if no file lists them
 };
 
+/// What a run has written so far.
+struct RunRows {
+  std::size_t frames = 0, series = 0;
+  std::uint64_t check_sum = 0;  ///< of all their values
+};
+
 class RunFile {
  public:
   /// A new file, complete but for its frames; it replaces an old one with the first frame or flush.
   /// Write the series row of t = 0 before that.
   static RunFile create(const std::filesystem::path& path, const RunLayout& layout,
                         const RunStart& start);
-  /// A file that goes on after the first `frames` frames and `rows` series rows of the one at
-  /// `path`, and replaces it. They are copied into a new one: to shorten series in place would put
-  /// all of them at risk while it lasts. Throws InputError if the old file holds fewer or is not of
-  /// this layout; it is left as it is then.
+  /// A file that goes on after the first `rows` of the one at `path`, and replaces it. They are
+  /// copied into a new one: to shorten series in place would put all of them at risk while it
+  /// lasts. Throws InputError if the old file holds fewer, is not of this layout, or not what was
+  /// written; it is left as it is then.
   static RunFile resume(const std::filesystem::path& path, const RunLayout& layout,
-                        const RunStart& start, std::size_t frames, std::size_t rows);
+                        const RunStart& start, const RunRows& rows);
 
   /// Adds a frame at `time` [s]; `fields` are the row-major arrays in the order of the layout. They
   /// are written from where they are, not copied.
@@ -99,8 +107,8 @@ class RunFile {
   /// layout, one after the other. Kept in memory until the buffer is full or the next flush or
   /// frame; in between it allocates nothing.
   void write_series(double time, std::span<const double> values);
-  [[nodiscard]] std::size_t frames() const { return frames_; }
-  [[nodiscard]] std::size_t series_rows() const { return rows_; }
+  /// What `flush` has handed over.
+  [[nodiscard]] RunRows rows() const;
   /// Times of the frames so far [s].
   [[nodiscard]] const std::vector<double>& frame_times() const { return frame_times_; }
   void flush();
@@ -108,13 +116,15 @@ class RunFile {
 
  private:
   RunFile(const std::filesystem::path& path, const RunLayout& layout, const RunStart& start);
+  void append(const std::string& item, std::span<const double> values);
   void append_series();
   void commit(std::span<const double> frame_time);
 
   std::filesystem::path path_;  // the name it is to have
   Hdf5File file_;
   RunLayout layout_;
-  std::size_t frames_ = 0, rows_ = 0;
+  std::size_t series_rows_ = 0;
+  std::map<std::string, CheckSum> sums_;  // of every series in the file
   std::vector<double> frame_times_;
   std::vector<double> series_time_;                 // pending rows
   std::vector<std::vector<double>> series_values_;  // the same, a vector per quantity

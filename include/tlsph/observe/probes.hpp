@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tlsph/core/error.hpp"
 #include "tlsph/dynamics/state.hpp"
 #include "tlsph/particles/interpolation.hpp"
 
@@ -19,6 +20,7 @@ struct ProbeRequest {
   std::string name;
   Vector<D> at;  ///< reference position [m]
   std::vector<std::string> quantities;
+  Place place = {};  ///< where its position is asked for
 };
 
 /// What stands behind the stem of a quantity in the names of its columns, in the order of the
@@ -32,6 +34,7 @@ template <int D>
 template <int D>
 class Probes {
  public:
+  /// InputError at the place of a request whose position cannot be interpolated to.
   Probes(const Discretisation<D>& discretisation, const std::vector<ProbeRequest<D>>& requests);
 
   /// `<probe>.<quantity>_<component>` for every value, in the order of `sample`.

@@ -35,7 +35,7 @@ TEST_F(Csv, SeventeenDigitsBringBackEveryBit) {
   {
     CsvWriter csv(path, {"a", "b", "c"});
     for (std::size_t i = 0; i < values.size(); i += 3) csv.row(std::span(values).subspan(i, 3));
-    EXPECT_EQ(csv.rows(), 1000u);
+    EXPECT_EQ(csv.rows().count, 1000u);
     csv.close();
   }
 
@@ -109,17 +109,21 @@ TEST_P(CsvResume, GoesOnAsIfNeverStopped) {
       const double row[] = {static_cast<double>(i) / 7.0, static_cast<double>(i)};
       csv.row(std::span<const double>(row));
     }
-    csv.close();
   };
   CsvWriter whole(directory / "whole.csv", {"t", "x"});
   write(whole, 0, total);
+  whole.close();
   CsvWriter first(path, {"t", "x"});
-  write(first, 0, total);
+  write(first, 0, GetParam());
+  const CsvRows rows = first.rows();
+  write(first, GetParam(), total);
+  first.close();
   std::ofstream(path, std::ios::app) << "0.123";  // a line cut short by the end of the program
 
-  CsvWriter second = CsvWriter::resume(path, {"t", "x"}, GetParam());
-  EXPECT_EQ(second.rows(), GetParam());
+  CsvWriter second = CsvWriter::resume(path, {"t", "x"}, rows);
+  EXPECT_EQ(second.rows().count, GetParam());
   write(second, GetParam(), total);
+  second.close();
 
   EXPECT_TRUE(test::read_text(path) == test::read_text(directory / "whole.csv"));
 }
@@ -131,14 +135,31 @@ TEST_F(Csv, ResumeRefusesOtherHeadersAndMissingRows) {
   csv.row(std::vector<double>{1, 2});
   csv.close();
 
-  EXPECT_THROW(CsvWriter::resume(directory / "none.csv", {"t"}, 0), InputError);
-  EXPECT_THROW(CsvWriter::resume(path, {"t"}, 0), InputError);
-  EXPECT_THROW(CsvWriter::resume(path, {"t", "y"}, 0), InputError);
-  const auto message = message_of<InputError>([&] { CsvWriter::resume(path, {"t", "x"}, 2); });
+  EXPECT_THROW(CsvWriter::resume(directory / "none.csv", {"t"}, {}), InputError);
+  EXPECT_THROW(CsvWriter::resume(path, {"t"}, {}), InputError);
+  EXPECT_THROW(CsvWriter::resume(path, {"t", "y"}, {}), InputError);
+  const auto message = message_of<InputError>([&] {
+    CsvWriter::resume(path, {"t", "x"}, {2, CheckSum()});
+  });
 
   EXPECT_THAT(message, HasSubstr(path.string()));
   EXPECT_THAT(message, HasSubstr("2 rows are needed to go on, 1 are there"));
   EXPECT_EQ(test::read_text(path), "t,x\n1,2\n");
+}
+
+TEST_F(Csv, ResumeRefusesRowsThatAreNotThoseWritten) {
+  CsvWriter csv(path, {"t", "x"});
+  csv.row(std::vector<double>{1, 2});
+  csv.row(std::vector<double>{3, 4});
+  const CsvRows rows = csv.rows();
+  csv.close();
+  std::ofstream(path) << "t,x\n1,2\n3,5\n6,7\n";
+
+  const auto message = message_of<InputError>([&] { CsvWriter::check(path, {"t", "x"}, rows); });
+
+  EXPECT_THAT(message, HasSubstr("damaged"));
+  EXPECT_EQ(message, message_of<InputError>([&] { CsvWriter::resume(path, {"t", "x"}, rows); }));
+  EXPECT_EQ(test::read_text(path), "t,x\n1,2\n3,5\n6,7\n");
 }
 
 TEST_F(Csv, FullDiskIsAnOutputError) {

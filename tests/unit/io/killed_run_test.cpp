@@ -81,7 +81,7 @@ class KilledRun : public test::SmallRun, public testing::WithParamInterface<Mome
     ASSERT_GE(frames, progress->frames);
     ASSERT_GE(rows, rows_a_frame * progress->frames);
     expect_run(frames, rows);
-    RunFile run = resume(progress->frames, rows_a_frame * progress->frames);
+    RunFile run = resume(rows_of(progress->frames, rows_a_frame * progress->frames));
     write(run, progress->frames, nullptr);
     run.close();
     expect_run(all_frames, rows_a_frame * all_frames);
@@ -119,9 +119,10 @@ TEST_P(KilledRun, LeavesEveryOldFrameWhereverItIsKilledWhileItResumes) {
       run.close();
     }
     *progress = {kept};
+    const RunRows checkpoint = rows_of(kept, rows_a_frame * kept);
     const int status = test::in_child([&] {
       killer = {killed, GetParam()};
-      RunFile run = resume(kept, rows_a_frame * kept);
+      RunFile run = resume(checkpoint);
       write(run, kept, progress);
       run.close();
     });

@@ -56,9 +56,10 @@ TEST_P(RunFilesInDimensions, HoldTheNodesOfCells) {
 TEST_F(RunFiles, KeepCellsWhenResumed) {
   RunFile first = RunFile::create(path, layout_of_cells(), start_of_cells());
   write_frame(first, 0);
+  const RunRows rows = first.rows();
   first.close();
 
-  RunFile::resume(path, layout_of_cells(), start_of_cells(), 1, 0).close();
+  RunFile::resume(path, layout_of_cells(), start_of_cells(), rows).close();
 
   const Hdf5File file = Hdf5File::open_read_only(path);
   EXPECT_THAT(file.read_integers("/points/cells").values, ElementsAre(0, 1, 2, 2, 1, 2, 0, 0));
@@ -119,10 +120,12 @@ TEST_P(ResumedRunFiles, HoldWhatAnUnbrokenRunHolds) {
     write_frame(first, frame < frames ? frame : frame + 77);
   }
   first.close();
+  const RunRows checkpoint = rows_of(frames, rows);
 
-  RunFile second = resume(frames, rows);
-  EXPECT_EQ(second.frames(), frames);
-  EXPECT_EQ(second.series_rows(), rows);
+  RunFile second = resume(checkpoint);
+  EXPECT_EQ(second.rows().frames, frames);
+  EXPECT_EQ(second.rows().series, rows);
+  EXPECT_EQ(second.rows().check_sum, checkpoint.check_sum);
   EXPECT_EQ(second.frame_times().size(), frames);
   for (std::size_t row = rows; row < 14; ++row) write_row(second, row);
   for (std::size_t frame = frames; frame < 8; ++frame) write_frame(second, frame);
@@ -138,16 +141,23 @@ INSTANTIATE_TEST_SUITE_P(Checkpoints, ResumedRunFiles,
 TEST_F(RunFiles, ResumeRefusesOtherRuns) {
   RunFile run = create();
   write_frame(run, 0);
+  const RunRows rows = run.rows();
   run.close();
   RunLayout other_size = layout(), other_field = layout();
   other_size.particles = 4;
   other_field.fields[0].name = "velocity";
 
-  EXPECT_THROW(RunFile::resume(directory / "none.h5", layout(), start(), 0, 0), InputError);
-  EXPECT_THROW(RunFile::resume(path, other_field, start(), 1, 0), InputError);
-  EXPECT_THAT(message_of<InputError>([&] { RunFile::resume(path, other_size, start(), 1, 0); }),
+  EXPECT_THROW(RunFile::resume(directory / "none.h5", layout(), start(), {}), InputError);
+  EXPECT_THROW(RunFile::resume(path, other_field, start(), rows), InputError);
+  EXPECT_THAT(message_of<InputError>([&] { RunFile::resume(path, other_size, start(), rows); }),
               HasSubstr("/frames/displacement"));
-  EXPECT_THAT(message_of<InputError>([&] { resume(2, 0); }),
+  EXPECT_THAT(message_of<InputError>([&] {
+                resume({1, 0, rows.check_sum + 1});
+              }),
+              HasSubstr("damaged: its first 1 frames"));
+  EXPECT_THAT(message_of<InputError>([&] {
+                resume({2, 0, rows.check_sum});
+              }),
               HasSubstr("2 rows are needed to go on, 1 are there"));
   expect_run(1, 0);
   EXPECT_FALSE(std::filesystem::exists(directory / "run.h5.tmp"));

@@ -25,8 +25,16 @@ class SmallRun : public TemporaryDirectory {
   RunFile create(std::size_t dimension = 2) const {
     return RunFile::create(path, layout(dimension), start(dimension));
   }
-  RunFile resume(std::size_t frames, std::size_t rows) const {
-    return RunFile::resume(path, layout(), start(), frames, rows);
+  /// Of a run that has written so much.
+  RunRows rows_of(std::size_t frames, std::size_t rows) const {
+    RunFile run = RunFile::create(directory / "same.h5", layout(), start());
+    for (std::size_t row = 0; row < rows; ++row) write_row(run, row);
+    for (std::size_t frame = 0; frame < frames; ++frame) write_frame(run, frame);
+    run.flush();
+    return run.rows();
+  }
+  RunFile resume(const RunRows& rows) const {
+    return RunFile::resume(path, layout(), start(), rows);
   }
 
   static RunStart start(std::size_t dimension = 2) {
