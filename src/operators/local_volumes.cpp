@@ -1,11 +1,18 @@
 #include "tlsph/operators/local_volumes.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/SparseCore>
 #include <algorithm>
 #include <array>
+#include <map>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "tlsph/kernels/families.hpp"
 #include "tlsph/kernels/kernel.hpp"
+#include "tlsph/linear/factorization.hpp"
 #include "tlsph/operators/neighbours.hpp"
 #include "tlsph/particles/boundary_runs.hpp"
 #include "tlsph/particles/moments.hpp"
@@ -14,16 +21,17 @@ namespace tlsph {
 namespace {
 
 constexpr int degree = 2;
-constexpr double least_share = 0.05;  // of a node's share of the cells around it
+/// Least and largest volumes that are tried in turn, as shares of what lies nearest to a node.
+constexpr std::array shares = {std::pair{0.44, 1.4}, std::pair{0.3, 2.0}, std::pair{0.2, 3.0},
+                               std::pair{0.1, 10.0}};
+constexpr double rounding = 1e-9;
 constexpr double gauss = 0.57735026918962576;
 
-/// A point of the quadrature with the nodes whose linear interpolation stands in for the fit.
+/// A point of the quadrature.
 template <int D>
 struct RulePoint {
   Vector<D> X;
   double weight = 0.0;
-  Cell<D> node{};
-  std::array<double, (1 << D)> linear{};
 };
 
 /// Two Gauss points a direction: exact for quadratics on any cell with straight edges.
@@ -35,12 +43,10 @@ std::vector<RulePoint<D>> over_cells(const Particles<D>& particles) {
     for (int g = 0; g < (1 << D); ++g) {
       const double s = g % 2 == 0 ? -gauss : gauss;
       RulePoint<D> point;
-      point.node = cell;
       if constexpr (D == 1) {
-        point.linear = {0.5 * (1 - s), 0.5 * (1 + s)};
         point.weight = 0.5 * (particles.X(cell[1], 0) - particles.X(cell[0], 0));
         point.X[0] =
-            point.linear[0] * particles.X(cell[0], 0) + point.linear[1] * particles.X(cell[1], 0);
+            0.5 * (1 - s) * particles.X(cell[0], 0) + 0.5 * (1 + s) * particles.X(cell[1], 0);
       } else {
         const double t = g < 2 ? -gauss : gauss;
         constexpr std::array<double, 4> sign_s = {-1, 1, 1, -1}, sign_t = {-1, -1, 1, 1};
@@ -48,8 +54,7 @@ std::vector<RulePoint<D>> over_cells(const Particles<D>& particles) {
         point.X.setZero();
         for (std::size_t c = 0; c < 4; ++c) {
           const Vector<2> corner = particles.X.row(cell[c]).transpose();
-          point.linear[c] = 0.25 * (1 + sign_s[c] * s) * (1 + sign_t[c] * t);
-          point.X += point.linear[c] * corner;
+          point.X += 0.25 * (1 + sign_s[c] * s) * (1 + sign_t[c] * t) * corner;
           along_s += 0.25 * sign_s[c] * (1 + sign_t[c] * t) * corner;
           along_t += 0.25 * sign_t[c] * (1 + sign_s[c] * s) * corner;
         }
@@ -73,8 +78,6 @@ void add_triangles(const Particles<2>& particles, std::vector<RulePoint<2>>& rul
       RulePoint<2> point;
       point.X = 0.5 * (corner(c) + corner(c + 1));
       point.weight = area / 3;
-      point.node = {triangle[c], triangle[(c + 1) % 3], triangle[c], triangle[(c + 1) % 3]};
-      point.linear = {0.25, 0.25, 0.25, 0.25};
       rule.push_back(point);
     }
   }
@@ -96,28 +99,102 @@ void add_segments(const Particles<2>& particles, std::vector<RulePoint<2>>& rule
       RulePoint<2> point;
       point.X = middle + 0.1 * length * phi * face.area.normalized();
       point.weight = length * length * phi / 6 * (1 + 2 * phi * phi / 15);
-      point.node = {a, b, a, b};
-      point.linear = {0.25, 0.25, 0.25, 0.25};
       rule.push_back(point);
     }
 }
 
-/// Adds weight·φ_q(X_g) for the nodes q around the point.
+/// w φ_q(X_g) of one point of the quadrature: the q that make Σ φ_q²/k_q least among those with
+/// Σ φ_q p(X_q) = p(X_g) for quadratic p, so φ_q = k_q p_q·c.
 template <int D>
-void add_fit(const RulePoint<D>& point, const int* near, Index count, const VectorField<D>& X,
-             double h, ScalarField& V) {
-  static const auto exponents = monomials<D>(degree);
-  const auto terms = static_cast<Index>(exponents.size());
-  Eigen::MatrixXd values(terms, count);
-  Eigen::VectorXd kernel(count);
-  for (Index k = 0; k < count; ++k) {
-    const Vector<D> arm = X.row(near[k]).transpose() - point.X;
-    kernel[k] = kernel_value<D>(WendlandC2{}, arm.norm(), h);
-    values.col(k) = monomial_values<D>(exponents, Vector<D>(arm / h));
+class Fit {
+ public:
+  Fit(const RulePoint<D>& point, const int* near, Index count, const VectorField<D>& X, double h)
+      : near_(near, near + count), weight_(point.weight), kernel_(count) {
+    static const auto exponents = monomials<D>(degree);
+    values_.resize(static_cast<Index>(exponents.size()), count);
+    for (Index k = 0; k < count; ++k) {
+      const Vector<D> arm = X.row(near[k]).transpose() - point.X;
+      kernel_[k] = kernel_value<D>(WendlandC2{}, arm.norm(), h);
+      values_.col(k) = monomial_values<D>(exponents, Vector<D>(arm / h));
+    }
+    moment_.compute(values_ * kernel_.asDiagonal() * values_.transpose());
   }
-  const Eigen::MatrixXd moment = values * kernel.asDiagonal() * values.transpose();
-  const Eigen::VectorXd c = moment.ldlt().solve(Eigen::VectorXd::Unit(terms, 0));
-  for (Index k = 0; k < count; ++k) V[near[k]] += point.weight * kernel[k] * c.dot(values.col(k));
+
+  void add_to(ScalarField& V) const {
+    add(weight_ * moment_.solve(Eigen::VectorXd::Unit(values_.rows(), 0)), V);
+  }
+  /// What a term −μ φ_q in the sum above changes, for μ = 1: w (k_q δ_qr − k_q p_q·M⁻¹ p_r k_r).
+  void add_response(int q, Eigen::SparseVector<double>& V) const {
+    const Index r = std::ranges::lower_bound(near_, q) - near_.begin();
+    V.coeffRef(q) += weight_ * kernel_[r];
+    add(-weight_ * kernel_[r] * moment_.solve(values_.col(r)), V);
+  }
+
+ private:
+  template <class Vector>
+  void add(const Eigen::VectorXd& c, Vector& V) const {
+    for (Index k = 0; k < kernel_.size(); ++k)
+      V.coeffRef(near_[static_cast<std::size_t>(k)]) += kernel_[k] * c.dot(values_.col(k));
+  }
+  std::span<const int> near_;  // ascending
+  double weight_;
+  Eigen::VectorXd kernel_;
+  Eigen::MatrixXd values_;
+  Eigen::LDLT<Eigen::MatrixXd> moment_;
+};
+
+/// V + Σ_r μ_r R_r that lies between the bounds, μ > 0 where it is at the lower one, μ < 0 at the
+/// upper one and 0 between: the least change of the fits that does. R_r = `response(r)`. Empty
+/// where no such change is found.
+template <class Response>
+std::optional<ScalarField> bounded(const ScalarField& V, const ScalarField& lower,
+                                   const ScalarField& upper, const Response& response) {
+  constexpr int most_rounds = 40;
+  std::map<int, Eigen::SparseVector<double>> responses;
+  std::map<int, double> held;  // where it is held
+  ScalarField now = V;
+  for (int round = 0; round < most_rounds; ++round) {
+    const std::size_t before = held.size();
+    for (int q = 0; q < static_cast<int>(V.size()); ++q) {
+      if (now[q] < (1.0 - rounding) * lower[q])
+        held.emplace(q, lower[q]);
+      else if (now[q] > (1.0 + rounding) * upper[q])
+        held.emplace(q, upper[q]);
+    }
+    if (held.size() == before) return now;
+    for (bool all_pull = false; !all_pull;) {
+      const std::vector<std::pair<int, double>> list(held.begin(), held.end());
+      const auto count = static_cast<Index>(list.size());
+      const auto position = [&](int q) {
+        return std::ranges::lower_bound(list, q, {}, &std::pair<int, double>::first) - list.begin();
+      };
+      std::vector<Eigen::Triplet<double>> entries;
+      Eigen::VectorXd lack(count);
+      for (Index i = 0; i < count; ++i) {
+        const auto& [q, bound] = list[static_cast<std::size_t>(i)];
+        if (!responses.contains(q)) responses[q] = response(q);
+        lack[i] = bound - V[q];
+        for (Eigen::SparseVector<double>::InnerIterator entry(responses[q]); entry; ++entry)
+          if (held.contains(static_cast<int>(entry.index())))
+            entries.emplace_back(position(static_cast<int>(entry.index())), i, entry.value());
+      }
+      SparseMatrix H(count, count);
+      H.setFromTriplets(entries.begin(), entries.end());
+      const auto factor = Cholesky::attempt(H);
+      if (!factor) return std::nullopt;
+      const Eigen::VectorXd mu = factor->solve(lack);
+      now = V;
+      all_pull = true;
+      for (Index i = 0; i < count; ++i) {
+        const auto& [q, bound] = list[static_cast<std::size_t>(i)];
+        now += mu[i] * responses[q];
+        if (mu[i] * (bound == lower[q] ? 1.0 : -1.0) > 0.0) continue;
+        held.erase(q);
+        all_pull = false;
+      }
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -129,36 +206,29 @@ ScalarField local_volumes(const Particles<D>& particles) {
   if (rule.empty()) return particles.V;
   if constexpr (D == 2) add_segments(particles, rule);
   VectorField<D> at(static_cast<Index>(rule.size()), D);
-  ScalarField linear = ScalarField::Zero(particles.size());
-  for (std::size_t g = 0; g < rule.size(); ++g) {
+  for (std::size_t g = 0; g < rule.size(); ++g)
     at.row(static_cast<Index>(g)) = rule[g].X.transpose();
-    for (std::size_t c = 0; c < rule[g].node.size(); ++c)
-      linear[rule[g].node[c]] += rule[g].weight * rule[g].linear[c];
-  }
   const double h = volume_support * particles.spacing;
   const Neighbours near = find_neighbours<D>(at, particles.X, h);
-  std::vector<char> plain(rule.size(), 0);
-  for (bool changed = true; changed;) {
-    ScalarField V = ScalarField::Zero(particles.size());
-    for (std::size_t g = 0; g < rule.size(); ++g) {
-      if (plain[g] == 0)
-        add_fit<D>(rule[g], near.column.data() + near.start[g], near.start[g + 1] - near.start[g],
-                   particles.X, h, V);
-      else
-        for (std::size_t c = 0; c < rule[g].node.size(); ++c)
-          V[rule[g].node[c]] += rule[g].weight * rule[g].linear[c];
-    }
-    changed = false;
-    for (std::size_t g = 0; g < rule.size(); ++g)
-      for (Index k = near.start[g]; plain[g] == 0 && k < near.start[g + 1]; ++k) {
-        const int q = near.column[static_cast<std::size_t>(k)];
-        if (V[q] >= least_share * linear[q]) continue;
-        plain[g] = 1;
-        changed = true;
-      }
-    if (!changed) return V;
-  }
-  return linear;
+  const auto fit = [&](std::size_t g) {
+    return Fit<D>(rule[g], near.column.data() + near.start[g], near.start[g + 1] - near.start[g],
+                  particles.X, h);
+  };
+  ScalarField V = ScalarField::Zero(particles.size());
+  for (std::size_t g = 0; g < rule.size(); ++g) fit(g).add_to(V);
+  if (!V.allFinite()) return particles.V;
+  const Neighbours reached = find_neighbours<D>(particles.X, at, h);
+  const auto response = [&](int q) -> Eigen::SparseVector<double> {
+    Eigen::SparseVector<double> R(particles.size());
+    const auto row = static_cast<std::size_t>(q);
+    for (Index k = reached.start[row]; k < reached.start[row + 1]; ++k)
+      fit(static_cast<std::size_t>(reached.column[static_cast<std::size_t>(k)])).add_response(q, R);
+    return R;
+  };
+  for (const auto& [least, largest] : shares)
+    if (const auto volumes = bounded(V, least * particles.V, largest * particles.V, response))
+      return *volumes;
+  return particles.V;
 }
 
 template ScalarField local_volumes<1>(const Particles<1>&);

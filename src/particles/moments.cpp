@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
+#include <Eigen/SVD>
 #include <cmath>
 #include <map>
 
@@ -23,19 +23,21 @@ constexpr std::array<double, 4> gauss_weight = {0.17392742256872693, 0.326072577
 constexpr double met = 1e-12;
 constexpr int rounds = 3;
 
-/// Coordinates about the middle of the body in units of its half size, so that monomials stay of
-/// order one.
+/// Coordinates about the middle of the body in units of its half size along each axis, so that
+/// monomials stay of order one, in a strip too.
 template <int D>
 struct LocalFrame {
   Vector<D> middle;
-  double size = 1.0;
+  Vector<D> size;
   explicit LocalFrame(const VectorField<D>& X) {
     const Vector<D> lower = X.colwise().minCoeff().transpose();
     const Vector<D> upper = X.colwise().maxCoeff().transpose();
     middle = 0.5 * (lower + upper);
-    size = 0.5 * (upper - lower).maxCoeff();
+    size = 0.5 * (upper - lower);
   }
-  [[nodiscard]] Vector<D> operator()(const Vector<D>& X) const { return (X - middle) / size; }
+  [[nodiscard]] Vector<D> operator()(const Vector<D>& X) const {
+    return (X - middle).cwiseQuotient(size);
+  }
 };
 
 template <int D>
@@ -84,14 +86,25 @@ BoundaryRule<2> along_outline(const Shape<2>& shape) {
   return rule;
 }
 
-/// The least x with Σ x²/weight and A x = r, A (conditions × unknowns).
-Eigen::VectorXd least_change(const Eigen::MatrixXd& A, const Eigen::VectorXd& weight,
-                             const Eigen::VectorXd& r) {
-  const Eigen::MatrixXd gram = A * weight.asDiagonal() * A.transpose();
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver(gram);
-  solver.setThreshold(1e-11);  // conditions that depend on others, as x² and x on a straight edge
-  return weight.asDiagonal() * (A.transpose() * solver.solve(r));
-}
+/// The x with least Σ x²/weight and A x = r, A (conditions × unknowns). Combinations of conditions
+/// that vanish on all nodes are left as they are: 1 and x² on a straight edge, nearly so 1, y and x²
+/// on a shallow arc. A itself is decomposed, since A·Aᵀ tells only half of the digits of them.
+class LeastChange {
+ public:
+  LeastChange(const Eigen::MatrixXd& A, const Eigen::VectorXd& weight)
+      : root_(weight.cwiseSqrt()),
+        svd_(A * root_.asDiagonal(), Eigen::ComputeThinU | Eigen::ComputeThinV) {
+    svd_.setThreshold(negligible);
+  }
+  [[nodiscard]] Eigen::VectorXd operator()(const Eigen::VectorXd& r) const {
+    return root_.cwiseProduct(svd_.solve(r));
+  }
+
+ private:
+  static constexpr double negligible = 1e-11;
+  Eigen::VectorXd root_;
+  Eigen::JacobiSVD<Eigen::MatrixXd> svd_;
+};
 
 /// Volumes: ∫ X^β dV by the divergence theorem along the first coordinate.
 template <int D>
@@ -105,14 +118,14 @@ void correct_volumes(Particles<D>& particles, const BoundaryRule<D>& boundary, i
     const Vector<D> x = local(X);
     const Eigen::VectorXd values = monomial_values<D>(exponents, x);
     for (Index k = 0; k < conditions; ++k)
-      exact[k] +=
-          area[0] * local.size * values[k] * x[0] / (exponents[static_cast<std::size_t>(k)][0] + 1);
+      exact[k] += area[0] * local.size[0] * values[k] * x[0] /
+                  (exponents[static_cast<std::size_t>(k)][0] + 1);
   }
   Eigen::MatrixXd A(conditions, particles.size());
   for (Index q = 0; q < particles.size(); ++q)
     A.col(q) = monomial_values<D>(exponents, local(particles.X.row(q).transpose()));
-  for (int round = 0; round < rounds; ++round)
-    particles.V += least_change(A, particles.V, exact - A * particles.V);
+  const LeastChange least_change(A, particles.V);
+  for (int round = 0; round < rounds; ++round) particles.V += least_change(exact - A * particles.V);
   const double left = (exact - A * particles.V).cwiseAbs().maxCoeff() / particles.V.sum();
   if (!(left <= met))
     throw InputError(place, fmt::format("node volumes cannot integrate polynomials of degree {} "
@@ -153,8 +166,8 @@ void correct_shares(const VectorField<D>& X, std::vector<Face<D>>& faces,
       weight[column] = 1.0 / face.area.norm();
     }
   }
-  for (int round = 0; round < rounds; ++round)
-    shares += least_change(A, weight, exact - A * shares);
+  const LeastChange least_change(A, weight);
+  for (int round = 0; round < rounds; ++round) shares += least_change(exact - A * shares);
   const double left = (exact - A * shares).cwiseAbs().maxCoeff() / total;
   if (!(left <= met))
     throw InputError(place, fmt::format("boundary areas cannot integrate polynomials of degree {} "

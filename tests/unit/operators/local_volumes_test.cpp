@@ -94,6 +94,38 @@ TEST(LocalVolumes, FollowACurvedBoundary) {
   }
 }
 
+/// Corners of 27°, 63° and 90°: what bounds take from one node its neighbours make good.
+TEST(LocalVolumes, StayNearTheirShareOfTheCellsAtSharpCorners) {
+  constexpr double a = 2.0, b = 1.0;
+  const Shape<2> shape = make_polygon({{0.0, 0.0}, {a, 0.0}, {0.0, b}});
+  const Particles<2> body = fitted(make_lattice<2>(shape, 0.1, NodePlacement::on_boundary), shape);
+
+  const ScalarField V = local_volumes<2>(body);
+
+  EXPECT_GE(V.cwiseQuotient(body.V).minCoeff(), 0.44 - 1e-8);
+  EXPECT_LE(V.cwiseQuotient(body.V).maxCoeff(), 1.4 + 1e-8);
+  for (const auto& [i, j] : monomials<2>(2)) {
+    double sum = 0.0;
+    for (Index q = 0; q < body.size(); ++q)
+      sum += V[q] * std::pow(body.X(q, 0), i) * std::pow(body.X(q, 1), j);
+    const double exact = std::pow(a, i + 1) * std::pow(b, j + 1) * std::tgamma(i + 1) *
+                         std::tgamma(j + 1) / std::tgamma(i + j + 3);
+    EXPECT_NEAR(sum, exact, 1e-12) << i << j;
+  }
+}
+
+/// Square corners and even cells need no bounds.
+TEST(LocalVolumes, OfABoxLieWithinTheBoundsByThemselves) {
+  for (const int cells : {6, 24}) {
+    const Particles<2> body = square(cells, 0.0);
+
+    const ScalarField share = local_volumes<2>(body).cwiseQuotient(body.V);
+
+    EXPECT_GT(share.minCoeff(), 0.445);
+    EXPECT_LT(share.maxCoeff(), 1.35);
+  }
+}
+
 TEST(LocalVolumes, OfParticlesWithoutCellsStay) {
   const Shape<2> shape = make_box<2>({0.0, 0.0}, {1.0, 1.0});
   const Particles<2> body = make_lattice<2>(shape, 0.1, NodePlacement::cell_centred);

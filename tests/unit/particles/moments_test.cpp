@@ -109,6 +109,36 @@ TEST(ExactMoments, OfACurvedBodyAreThoseOfItsArcs) {
   EXPECT_NEAR(body.B.col(0).dot(body.X.col(0).array().cube().matrix()) / 3.0, second, 1e-12);
 }
 
+/// The shallower an arc, the nearer x² and y are to depending on one another along it.
+TEST(ExactMoments, OfShallowArcsAreMet) {
+  for (const double radius : {2.0, 6.0, 30.0, 200.0, 3e3}) {
+    const double sagitta = radius - std::sqrt(radius * radius - 0.25);
+    const Shape<2> shape = make_difference(make_box<2>({0.0, 0.0}, {1.0, 1.0}),
+                                           {make_disc({0.5, 0.1 - radius}, radius)});
+    const Particles<2> lattice = make_lattice<2>(shape, 0.1, NodePlacement::on_boundary, {});
+    for (const double jitter : {0.0, 0.2}) {
+      SCOPED_TRACE(testing::Message() << "radius " << radius << ", jitter " << jitter);
+      const Particles<2> before = jittered<2>(fitted(lattice, shape), jitter, 3);
+
+      const Particles<2> body = with_exact_moments<2>(before, {2, 3}, &shape);
+
+      // Of the cap above y = 0.1 − sagitta, half an angle φ: R²(φ − sin φ cos φ).
+      const double phi = std::asin(0.5 / radius);
+      const double cap = sagitta < 1e-4 ? 2.0 / 3.0 * sagitta
+                                        : radius * radius * (phi - std::sin(phi) * std::cos(phi));
+      const double rounding = 1e-12 + 4e-16 * radius;  // of nodes on the arc
+      EXPECT_NEAR(body.V.sum(), 0.9 + sagitta - cap, 1e-9);
+      EXPECT_NEAR(body.B.col(1).dot(body.X.col(1)), body.V.sum(), rounding);
+      EXPECT_NEAR(body.B.col(0).dot(body.X.col(0)), body.V.sum(), rounding);
+      EXPECT_NEAR(body.B.col(0).dot(body.X.col(0).array().cube().matrix()) / 3.0,
+                  body.V.dot(body.X.col(0).cwiseAbs2()), rounding);
+      EXPECT_NEAR(body.B.colwise().sum().norm(), 0.0, rounding);
+      for (const Face<2>& face : body.find("boundary")->faces)
+        for (const double share : face.share) EXPECT_NEAR(share, 0.5, 0.2);
+    }
+  }
+}
+
 TEST(ExactMoments, RefuseWhatHasNoParticlesOnItsBoundary) {
   const Shape<2> shape = make_box<2>({0.0, 0.0}, {1.0, 1.0});
   const Particles<2> body = make_lattice<2>(shape, 0.1, NodePlacement::cell_centred, {});
