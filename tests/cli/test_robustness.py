@@ -167,6 +167,12 @@ class Places(ProgramTest):
                 self.assertEqual(self.listing(), before)
 
 
+def catches(process, number):
+    """Whether the process has come to the handler of that signal."""
+    status = pathlib.Path(f"/proc/{process.pid}/status").read_text(encoding="ascii")
+    return int(status.split("SigCgt:")[1].split()[0], 16) >> (number - 1) & 1
+
+
 class Signals(ProgramTest):
     def assert_ends(self, process, number, seconds):
         process.send_signal(number)
@@ -180,10 +186,10 @@ class Signals(ProgramTest):
             for number in (signal.SIGINT, signal.SIGTERM):
                 with self.subTest(command=command, number=number):
                     process = self.start(*command, "slow.toml", *([] if command == ["plan"] else ["--out", "results"]))
-                    time.sleep(0.5)
-                    self.assertIsNone(process.poll())
+                    self.wait_for(lambda: catches(process, number), process, "the set-up")
+                    time.sleep(0.2)
 
-                    self.assert_ends(process, number, 1.0)
+                    self.assert_ends(process, number, 5.0)
 
                     self.assertEqual(self.listing(), ["slow.toml"])
 
@@ -191,11 +197,12 @@ class Signals(ProgramTest):
         self.write("slow.toml", SLOW_SET_UP.replace('formulation = "consistent"\n', ""))
         process = self.start("converge", "slow.toml", "--spacing", "0.006,0.005,0.004", "--formulation", "consistent",
                              "--out", "study")
-        time.sleep(1.0)
+        self.wait_for(lambda: catches(process, signal.SIGINT), process)
+        time.sleep(0.5)
 
         process.send_signal(signal.SIGINT)
         time.sleep(0.2)
-        self.assert_ends(process, signal.SIGINT, 1.0)  # the second one does not wait for the piece
+        self.assert_ends(process, signal.SIGINT, 5.0)  # the second one does not wait for the piece
 
     def test_export_leaves_no_half_file(self):
         self.write("scene.toml", SHEET.replace("spacing = 0.1", "spacing = 0.004"))
