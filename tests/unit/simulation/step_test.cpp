@@ -150,11 +150,13 @@ TEST_F(StepOfARun, KeepsTheEnergyOfBodiesThatTurnAndSwing) {
       EXPECT_LE(run.trend, 1e-4);
       EXPECT_LE(run.summary.linear_momentum_drift, 1e-12);
       EXPECT_LE(run.summary.angular_momentum_drift, 1e-12);
-      // At most what an end of equal steps makes, of as many steps as the smallest step asks for.
+      // At most what equal steps make that are as short as the last ones.
       std::vector<std::string> equal = formulation;
       equal.push_back(fmt::format("time.step={:.17g}", run.last_dt));
       const Balanced fixed = balanced(moving(body, equal));
-      EXPECT_LE(run.deviation, body.bends ? 1e-4 : 1.1 * fixed.deviation);
+      // A notch may come late in a short run, so that one of equal steps has hardly deviated yet.
+      const double short_run = body.bends || periods() < 100.0 ? 1e-4 : 0.0;
+      EXPECT_LE(run.deviation, std::max(short_run, body.bends ? 0.0 : 1.1 * fixed.deviation));
       EXPECT_LE(run.summary.steps, fixed.summary.steps + 1);
     }
 }
