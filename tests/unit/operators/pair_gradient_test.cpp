@@ -153,7 +153,8 @@ TEST(PairGradient, IsExactAndBoundedOnAnyNodes) {
       G.gradient(X, H);
       for (Index p = 0; p < X.rows(); ++p)
         EXPECT_LE((tensor_at<2>(H, p) - Tensor<2>::Identity()).cwiseAbs().maxCoeff(), 1e-11);
-      if (degree > 1) {
+      // In the tip of a wedge all nodes stand on its two edges, which are a curve of degree two.
+      if (degree > 1 && k % 2 == 1) {
         EXPECT_LE(error_of_quadratics(G, X), 1e-11);
       }
     }
