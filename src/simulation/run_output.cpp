@@ -204,7 +204,7 @@ void RunOutput<D>::write_frame(const Discretisation<D>& disc, const State<D>& st
   run_file_->write_frame(state.time, fields);
   scratch_.clear();  // rather than keep a field that is wanted once in many steps
   const std::filesystem::path document = directory_ / "run.xdmf";
-  if (const std::size_t frames = run_file_->frames(); frames > views_) {
+  if (const std::size_t frames = run_file_->frame_times().size(); frames > views_) {
     views_ = std::bit_ceil(std::max(frames, std::size_t{16}));  // some ahead, for frames to come
     write_views(view_file_of(document), layout_, views_);
   }
