@@ -9,7 +9,7 @@
 
 namespace tlsph {
 
-struct Clock {
+struct StepClock {
   double start = 0.0;  ///< of the segment [s]
   long first = 0;      ///< step at which it starts
   long count = 1;      ///< steps in it
@@ -20,8 +20,8 @@ struct Clock {
   static constexpr double most_count = 9e15;
 
   /// Steps of at most `limit` from (time, step) to `end`. std::invalid_argument if they are more.
-  static Clock from(double time, long step, double end, double limit) {
-    Clock clock;
+  static StepClock from(double time, long step, double end, double limit) {
+    StepClock clock;
     clock.start = time;
     clock.first = step;
     clock.end = end;

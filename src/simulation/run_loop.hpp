@@ -68,7 +68,7 @@ class RunLoop {
   std::optional<BoundaryForces<D>> forces_;
   std::optional<Excerpt<D>> excerpt_;  ///< what probes look at
   State<D> state_;
-  Clock clock_;
+  StepClock clock_;
   Ledger<D> ledger_;
   CriticalStep critical_;
   std::optional<StepFollower<D>> follower_;  ///< of bodies whose stiffness changes

@@ -99,7 +99,7 @@ void RunLoop<D>::set_step(double wanted) {
                                "the body is being torn or crushed",
                                wanted, scene_.time.safety * critical_.dt));
   }
-  clock_ = Clock::from(state_.time, state_.step, scene_.time.end, wanted);
+  clock_ = StepClock::from(state_.time, state_.step, scene_.time.end, wanted);
 }
 
 template <int D>
