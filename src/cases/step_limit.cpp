@@ -10,6 +10,7 @@
 #include "signals.hpp"
 #include "tlsph/analysis/motion_growth.hpp"
 #include "tlsph/analysis/spectrum.hpp"
+#include "tlsph/dynamics/state.hpp"
 #include "tlsph/simulation/builder.hpp"
 #include "validation_bar.hpp"
 #include "vibration.hpp"
