@@ -243,10 +243,11 @@ void momenta(CaseRun& run) {
 /// The viscous matrix counts: a run just below the computed step stays, one just above does not.
 void step_limits(CaseRun& run) {
   constexpr const char* source = "computed critical step";
-  for (const char* degrees : {"[1, 1]", "[2, 1]"}) {
+  for (const auto& [degrees, action] :
+       {std::pair{"[1, 1]", "viscosity"}, {"[2, 1]", "stiffness"}}) {
     std::vector<std::string> overrides = {std::string("consistency=") + degrees,
-                                          "stabiliser.as=viscosity", "time.allow_unstable=true",
-                                          "body.spacing=0.015625",
+                                          std::string("stabiliser.as=") + action,
+                                          "time.allow_unstable=true", "body.spacing=0.015625",
                                           "time.end=2e-4"};
     const double critical = run.scene("step", "plate.toml", overrides).summary.dt_critical;
     overrides.back() = "time.end=3e-2";
