@@ -55,8 +55,9 @@ TEST_P(PartOfAnEdge, CarriesItsResultantAndItsMoment) {
 
     EXPECT_NEAR(patch_extent(part), to - from, 1e-12) << from << " … " << to;
     EXPECT_NEAR(force, to - from, 1e-12);
-    if (body.placement == NodePlacement::on_boundary)
+    if (body.placement == NodePlacement::on_boundary) {
       EXPECT_NEAR(moment, 0.5 * (to * to - from * from), 1e-12);
+    }
   }
 }
 
@@ -72,7 +73,7 @@ INSTANTIATE_TEST_SUITE_P(
                               return make_cloud<2>(jittered<2>(lattice(), 0.3, 4).X, sheet, 0.0,
                                                    [](Index) { return Place{}; });
                             }}),
-    [](const auto& info) { return std::string(info.param.name); });
+    [](const auto& filling) { return std::string(filling.param.name); });
 
 /// The shares that make a quadrature exact over whole edges are not those of a part of one.
 TEST(NamedBox, KeepsItsResultantBesideExactMoments) {
