@@ -1,5 +1,7 @@
 #include "tlsph/io/xdmf.hpp"
 
+#include <fmt/format.h>
+
 #include <gmock/gmock.h>
 
 #include <cstdlib>
@@ -101,7 +103,7 @@ TEST_P(XdmfOfKinds, EveryAttributeIsAWholeDataSetOfTheRightFrame) {
   for (const auto& attribute : found) {
     const std::string name = attribute[1];
     EXPECT_EQ(attribute[5], name);
-    const auto array = file.read_doubles("/" + attribute[4].str() + "/" + name);
+    const auto array = file.read_doubles(fmt::format("/{}/{}", attribute[4].str(), name));
     EXPECT_EQ(array.shape, numbers(attribute[3]));
 
     // A vector with its third component, or the component that the name promises.
