@@ -10,8 +10,9 @@
 /// motions that are linear in X and small beside them.
 ///
 /// `coefficient = "auto"`: cells (4/3) E/(1−ν²) [E in plane stress], with which one-point
-/// rectangles bend exactly; pairs 0.1 μ as stiffness; as viscosity 0.2 ρ c_p Δ, 0.1 ρ c_p Δ beside
-/// gradients of order two, about where the critical step begins to feel it.
+/// rectangles bend exactly; pairs 0.1 μ as stiffness, 0.3 μ beside `consistent` gradients of order
+/// two; as viscosity 0.4 ρ c_s Δ, 0.2 ρ c_s Δ beside gradients of order two, about where the
+/// critical step begins to feel it.
 
 #include <vector>
 
