@@ -18,8 +18,8 @@ namespace {
 /// The names of the edges by number, "-" for one that has none.
 std::vector<std::string> sides(const Shape<2>& shape) {
   std::vector<std::string> names;
-  const OutlineNames names(shape);
-  for (const NamedPiece& named : names.pieces()) {
+  const OutlineNames outline(shape);
+  for (const NamedPiece& named : outline.pieces()) {
     const auto edge = static_cast<std::size_t>(named.edge);
     if (names.size() < edge) names.resize(edge, "-");
     if (named.side != no_side) names[edge - 1] = side_names[static_cast<std::size_t>(named.side)];
