@@ -21,7 +21,7 @@ constexpr double gain = 1e-9;  // of a round; the next one starts from the true 
 /// Lifts of the diagonal that are tried in turn, shares of its largest entry.
 constexpr std::array lifts = {1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9};
 constexpr int most_refinements = 5;
-constexpr int most_iterations = 30;  // of conjugate gradients in each
+constexpr int most_iterations = 300;  // of conjugate gradients in each; long strips need many
 /// Every entry may change a little, those that are zero too: share of the largest weight.
 constexpr double least_weight = 1e-3;
 

@@ -87,8 +87,9 @@ BoundaryRule<2> along_outline(const Shape<2>& shape) {
 }
 
 /// The x with least Σ x²/weight and A x = r, A (conditions × unknowns). Combinations of conditions
-/// that vanish on all nodes are left as they are: 1 and x² on a straight edge, nearly so 1, y and x²
-/// on a shallow arc. A itself is decomposed, since A·Aᵀ tells only half of the digits of them.
+/// that vanish on the nodes to within `negligible` are left as they are: of 1, y and x² those along
+/// a straight edge and a shallow arc, which differ there by the rounding of its nodes (ε R/length).
+/// A itself is decomposed, for A·Aᵀ keeps only half of the digits of such combinations.
 class LeastChange {
  public:
   LeastChange(const Eigen::MatrixXd& A, const Eigen::VectorXd& weight)
@@ -99,9 +100,15 @@ class LeastChange {
   [[nodiscard]] Eigen::VectorXd operator()(const Eigen::VectorXd& r) const {
     return root_.cwiseProduct(svd_.solve(r));
   }
+  /// Whether r, relative, is met: where unknowns could do anything about it, and where not.
+  [[nodiscard]] bool meets(const Eigen::VectorXd& r) const {
+    const auto U = svd_.matrixU().leftCols(svd_.rank());
+    const Eigen::VectorXd within = U * (U.transpose() * r);
+    return within.cwiseAbs().maxCoeff() <= met && r.cwiseAbs().maxCoeff() <= negligible;
+  }
 
  private:
-  static constexpr double negligible = 1e-11;
+  static constexpr double negligible = 1e-9;
   Eigen::VectorXd root_;
   Eigen::JacobiSVD<Eigen::MatrixXd> svd_;
 };
@@ -126,11 +133,11 @@ void correct_volumes(Particles<D>& particles, const BoundaryRule<D>& boundary, i
     A.col(q) = monomial_values<D>(exponents, local(particles.X.row(q).transpose()));
   const LeastChange least_change(A, particles.V);
   for (int round = 0; round < rounds; ++round) particles.V += least_change(exact - A * particles.V);
-  const double left = (exact - A * particles.V).cwiseAbs().maxCoeff() / particles.V.sum();
-  if (!(left <= met))
+  const Eigen::VectorXd left = (exact - A * particles.V) / particles.V.sum();
+  if (!least_change.meets(left))
     throw InputError(place, fmt::format("node volumes cannot integrate polynomials of degree {} "
                                         "exactly (residual {:.1e}); choose a finer spacing",
-                                        degree, left));
+                                        degree, left.cwiseAbs().maxCoeff()));
   if (!(particles.V.minCoeff() > 0.0))
     throw InputError(place,
                      "a node volume exact for polynomials would not be positive; choose a "
@@ -168,11 +175,11 @@ void correct_shares(const VectorField<D>& X, std::vector<Face<D>>& faces,
   }
   const LeastChange least_change(A, weight);
   for (int round = 0; round < rounds; ++round) shares += least_change(exact - A * shares);
-  const double left = (exact - A * shares).cwiseAbs().maxCoeff() / total;
-  if (!(left <= met))
+  const Eigen::VectorXd left = (exact - A * shares) / total;
+  if (!least_change.meets(left))
     throw InputError(place, fmt::format("boundary areas cannot integrate polynomials of degree {} "
                                         "exactly (residual {:.1e}); choose a finer spacing",
-                                        degree, left));
+                                        degree, left.cwiseAbs().maxCoeff()));
   for (std::size_t f = 0; f < faces.size(); ++f)
     for (std::size_t k = 0; k < D; ++k)
       faces[f].share[k] = shares[static_cast<Index>(f) * D + static_cast<Index>(k)];

@@ -1,0 +1,58 @@
+/// Random bodies of scattered points build with default operators: 24 in the suite,
+/// TLSPH_RANDOM_CLOUDS=500 for as many as that.
+
+#include <cstdlib>
+
+#include "property/random_clouds.hpp"
+
+namespace tlsph::property {
+namespace {
+
+/// Critical steps of the square lattice with the same operators are 0.92 (consistent) and 1.5
+/// (variational) spacings/c_p; a cloud keeps this share of them.
+constexpr double least_share = 0.3;
+
+int clouds_to_build() {
+  const char* wanted = std::getenv("TLSPH_RANDOM_CLOUDS");
+  return wanted == nullptr ? 24 : std::atoi(wanted);
+}
+
+/// The scaled critical step of the body at rest.
+double step_of(const Discretisation<2>& disc) {
+  return critical_step<2>(disc, evaluated<2>(disc, VectorField<2>::Zero(disc.nodes(), 2))).scaled;
+}
+
+/// Builds the cloud. The tip of a sharp wedge may ask for a larger support: one or two spacings
+/// more than the 3.6 of the default are one.
+Discretisation<2> built(const RandomCloud& cloud, const std::string& formulation) {
+  std::vector<std::string> settings = {"stabiliser.kind=none"};
+  for (const char* support : {"4.6", "5.6"}) {
+    try {
+      return build<2>(scene_of(cloud, formulation, settings));
+    } catch (const InputError& error) {
+      const std::string message = error.what();
+      EXPECT_NE(message.find("kernel.support: "), std::string::npos) << message;
+      EXPECT_NE(message.find("choose a larger support"), std::string::npos) << message;
+    }
+    settings.resize(1);
+    settings.push_back(std::string("kernel.support=") + support);
+  }
+  return build<2>(scene_of(cloud, formulation, settings));
+}
+
+TEST(RandomClouds, BuildWithSmallResidualsAndAFairStep) {
+  for (int number = 0; number < clouds_to_build(); ++number) {
+    const RandomCloud cloud = random_cloud(number);
+    SCOPED_TRACE(cloud.name);
+    const Discretisation<2> consistent = built(cloud, "consistent");
+    ASSERT_TRUE(consistent.consistency);
+    EXPECT_LE(consistent.consistency->row, 1e-10);
+    EXPECT_LE(consistent.consistency->column, 1e-10);
+    EXPECT_GT(consistent.particles.V.minCoeff(), 0.0);
+    EXPECT_GE(step_of(consistent), least_share * 0.92);
+    EXPECT_GE(step_of(built(cloud, "variational")), least_share * 1.5);
+  }
+}
+
+}  // namespace
+}  // namespace tlsph::property
