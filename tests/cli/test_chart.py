@@ -154,7 +154,8 @@ class PeersBeside(ChartTest):
         return dict(os.environ, TLSPH_VALIDATION=str(self.folder / "validation"), TLSPH_PLOT="/no/such/plot.py")
 
     def test_peer_is_on_the_chart(self):
-        done = self.chart(*QUICK, "--peer", "quick", "--out", "study", env=self.with_peers(quick=ANSWERING))
+        done = self.chart("--budget", "10", *QUICK[2:], "--peer", "quick", "--out", "study",
+                          env=self.with_peers(quick=ANSWERING))
 
         mine = [point for point in self.report()["points"] if point["peer"] == "quick"]
         self.assertEqual([(p["spacing"], p["errors"]) for p in mine],

@@ -43,7 +43,7 @@ class Chart : public StudyFolder {
   ChartRequest request(const std::string& scene) const {
     ChartRequest request;
     request.scene = write("scene.toml", scene);
-    request.budget = 2.0;
+    request.budget = 10.0;
     request.spacings = {0.1, 0.05, 0.025};
     return request;
   }
