@@ -84,10 +84,9 @@ class Fit {
     Eigen::MatrixXd error = Eigen::MatrixXd::Zero(D, terms);
     for (int a = 0; a < D; ++a) error(a, 1 + a) = -1.0;
     for (std::size_t k = 0; k < row.nodes.size(); ++k)
-      error += spacing_ * row.weights[k] *
-               monomial_values<D>(quadratics_, arm(p, row.nodes[k]) / spacing_)
-                   .head(terms)
-                   .transpose();
+      error +=
+          spacing_ * row.weights[k] *
+          monomial_values<D>(quadratics_, arm(p, row.nodes[k]) / spacing_).head(terms).transpose();
     return error.cwiseAbs().maxCoeff() <= exact;
   }
 

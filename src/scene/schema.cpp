@@ -133,10 +133,10 @@ std::vector<Key> all_keys() {
        choices<StabiliserKind>(),
        "pair: error of linear extrapolation between neighbours; cell: hourglass mode of a cell"},
       {"stabiliser", "coefficient", number | text, "", "", "\"auto\"", "auto | >= 0",
-       "strength as a share of the shear modulus (cell: of E/(1 - nu^2)), as viscosity of density times "
+       "strength as a share of the shear modulus (cell: of E/(1 - nu^2)), as viscosity of density "
+       "times "
        "speed of shear waves times spacing; auto: the value recommended for the kind"},
-      {"stabiliser", "as", text, "", "", "\"stiffness\"",
-       choices<StabiliserAction>(),
+      {"stabiliser", "as", text, "", "", "\"stiffness\"", choices<StabiliserAction>(),
        "acts on displacements, which keeps energy and momenta, or on velocities: that dissipates, "
        "lets a body under load creep in modes that its gradients do not see, and keeps the angular "
        "momentum of small motions only"},

@@ -85,8 +85,8 @@ void add_stabiliser(const Scene& scene, Discretisation<D>& disc) {
           "use \"none\"");
     }
   } else {
-    const auto narrow = pair_gradient<D>(disc.particles.X, disc.particles.V, disc.spacing,
-                                         scene.kernel.order);
+    const auto narrow =
+        pair_gradient<D>(disc.particles.X, disc.particles.V, disc.spacing, scene.kernel.order);
     S = pair_stabiliser<D>(narrow, disc.particles.X, disc.particles.V, disc.spacing,
                            strengths<D>(scene, disc, disc.particles.X));
   }

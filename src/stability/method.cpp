@@ -57,8 +57,7 @@ Method corrected(const char* correction, Cover cover) {
 
 Method consistent(int rows, int columns, Cover cover) {
   return {fmt::format("consistent [{}, {}]", rows, columns),
-          {"formulation=consistent", fmt::format("consistency=[{}, {}]", rows, columns),
-           viscous},
+          {"formulation=consistent", fmt::format("consistency=[{}, {}]", rows, columns), viscous},
           cover};
 }
 

@@ -74,8 +74,8 @@ double error_of_quadratics(const VectorOperator<2>& G, const VectorField<2>& X) 
 /// Where the neighbourhood of 1.515 spacings does, its kernel gradient is taken as it is.
 TEST(PairGradient, OfALatticeIsTheNarrowKernelGradient) {
   const VectorField<2> X = lattice(9, 6);
-  const auto expected = collocated_gradient<2>(WendlandC2{}, 1.515 * spacing, X, volumes(X),
-                                               Correction::gradient);
+  const auto expected =
+      collocated_gradient<2>(WendlandC2{}, 1.515 * spacing, X, volumes(X), Correction::gradient);
 
   const auto linear = pair_gradient<2>(X, volumes(X), spacing, 1);
   const auto quadratic = pair_gradient<2>(X, volumes(X), spacing, 2);
@@ -141,9 +141,9 @@ TEST(PairGradient, IsExactAndBoundedOnAnyNodes) {
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   for (int k = 0; k < count; ++k) {
     const double angle = (20.0 + 70.0 * uniform(generator)) * std::numbers::pi / 180.0;
-    const VectorField<2> X = k % 2 == 0
-                                 ? wedge(angle, (0.5 + 0.4 * uniform(generator)) * spacing, generator)
-                                 : sheet(0.3 * uniform(generator), 0.1 + 0.5 * uniform(generator), generator);
+    const VectorField<2> X =
+        k % 2 == 0 ? wedge(angle, (0.5 + 0.4 * uniform(generator)) * spacing, generator)
+                   : sheet(0.3 * uniform(generator), 0.1 + 0.5 * uniform(generator), generator);
     SCOPED_TRACE("set " + std::to_string(k) + ", " + std::to_string(X.rows()) + " nodes");
     for (const int degree : {1, 2}) {
       const auto G = pair_gradient<2>(X, volumes(X), spacing, degree);

@@ -61,7 +61,8 @@ TEST(Plan, NamesALawThatIsLinearAtItsStrains) {
   EXPECT_THAT(spare({"material.law=neo-hookean"}), HasSubstr(strains));  // 2·2·p/E
   EXPECT_EQ(spare({"material.law=neo-hookean", "boundary[1].traction=[0.0,1e3]"}), "");
   EXPECT_EQ(
-      spare({"material.law=neo-hookean", "boundary[0]={where=\"left\",displacement={x=0.01}}"}), "");
+      spare({"material.law=neo-hookean", "boundary[0]={where=\"left\",displacement={x=0.01}}"}),
+      "");
   EXPECT_EQ(spare({"material.law=neo-hookean", "initial.velocity=[0.0,1.0]"}), "");
 }
 
