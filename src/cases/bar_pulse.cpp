@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 #include <tuple>
 
 #include "bar_wave_run.hpp"
@@ -137,6 +138,7 @@ void other_ends(CaseRun& run) {
 /// 0.20 m, on a lattice of so many spacings; `predicted` from the dispersion of the lattice.
 struct SupportRun {
   double observed, predicted, scaled_step, products;
+  std::optional<double> lost;  ///< when growth ended the run [s]
 };
 SupportRun run_support(CaseRun& run, const std::string& formulation, double support,
                        double spacing) {
@@ -150,7 +152,8 @@ SupportRun run_support(CaseRun& run, const std::string& formulation, double supp
   const double a = long_wave_lag(build<1>(run.read("bar.toml", set)), summary.dt);
   return {wave.error("p3"), pulse_dispersion_error(a, spacing, way, intermediate, speed),
           summary.dt_critical_scaled,
-          static_cast<double>(summary.nonzeros) * static_cast<double>(summary.steps)};
+          static_cast<double>(summary.nonzeros) * static_cast<double>(summary.steps),
+          wave.scene.failed_at};
 }
 
 /// Accuracy and cost of wide kernels, on three lattices.
@@ -169,13 +172,20 @@ void supports(CaseRun& run) {
     const std::string of =
         ", " + name + (support > 0.0 ? fmt::format(", support {}", support) : "");
     std::vector<double> errors;
+    bool lost = false;
     for (const double spacing : spacings) {
       const SupportRun now = run_support(run, name, support, spacing);
       errors.push_back(now.observed);
       const std::array row = {static_cast<double>(formulation), support, spacing, now.observed,
                               now.products};
       for (std::size_t c = 0; c < row.size(); ++c) table[c].push_back(row[c]);
+      lost = lost || now.lost;
       if (spacing != spacings.back()) continue;
+      if (now.lost) {
+        run.report("books of the run", "time when growth ends the run, 1200 cells" + of + " [s]",
+                   *now.lost);
+        continue;
+      }
       const std::string words = "relative L2 error of stress at 0.10 m, 1200 cells" + of;
       if (name == "thesis")
         run.report("dispersion of the lattice", words, now.observed, now.predicted);
@@ -184,6 +194,7 @@ void supports(CaseRun& run) {
       run.report("thesis, (4.47)", "critical step c_p Δt/Δ" + of, now.scaled_step,
                  support > 0.0 ? std::optional(support) : std::nullopt);
     }
+    if (lost) continue;
     const double order = pairwise_orders(spacings, errors).back();
     const std::string words = "order of convergence of that error" + of;
     if (name == "thesis")
