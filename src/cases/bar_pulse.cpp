@@ -178,7 +178,7 @@ void supports(CaseRun& run) {
       errors.push_back(now.observed);
       const std::array row = {static_cast<double>(formulation), support, spacing, now.observed,
                               now.products};
-      for (std::size_t c = 0; c < row.size(); ++c) table[c].push_back(row[c]);
+      for (std::size_t c = 0; c < row.size() && !now.lost; ++c) table[c].push_back(row[c]);
       lost = lost || now.lost;
       if (spacing != spacings.back()) continue;
       if (now.lost) {
