@@ -147,11 +147,12 @@ TEST_P(FreeBody, LinearElasticKeepsEnergyAndMomenta) {
 
 /// Coarse bodies have vibrations in 2:1 resonance with the lowest; what E_n does while energy goes
 /// to and fro between them grows with the square of the strain and is within the bound at this one,
-/// or falls with the square of the step.
+/// or at most some times larger and falls with the square of the step.
 TEST_P(FreeBody, NeoHookeanKeepsEnergyAndMomenta) {
   const Record run = vibration("neo-hookean", 2e-4);
 
   ASSERT_GT(run.largest_strain, 1.8e-4);
+  EXPECT_LE(run.drift(), 3e-4);
   if (run.drift() > 1e-5) {
     EXPECT_LE(vibration("neo-hookean", 2e-4, false, 2).drift(), 0.3 * run.drift());
   }
