@@ -24,7 +24,7 @@ void PrintTo(const DefaultBody& body, std::ostream* out) {
   *out << body.name();
 }
 
-Scene scene_of(const DefaultBody& body, const std::string& law) {
+Scene scene_with(const DefaultBody& body, const std::string& law) {
   return read_scene_text("dimension = 2\nformulation = \"" + body.formulation + "\"\n[body]\n" +
                              body_of(body.layout) + "spacing = 0.02\n[material]\nlaw = \"" + law +
                              "\"\nyoung = 2e6\npoisson = 0.3\ndensity = 1000\n[time]\nend = 1.0\n",
@@ -35,7 +35,7 @@ class Defaults : public testing::TestWithParam<DefaultBody> {};
 
 /// Free flight with a spin, a stretch and a shear at once: strains to five hundredths, half a turn.
 TEST_P(Defaults, KeepEnergyAndMomentaOfABodyThatTurnsAndStrains) {
-  const Discretisation<2> disc = build<2>(scene_of(GetParam(), "neo-hookean"));
+  const Discretisation<2> disc = build<2>(scene_with(GetParam(), "neo-hookean"));
   const double c = disc.wave_speed(), size = 0.14;
   Tensor<2> A;
   A << 0.08, -0.15, 0.12, -0.05;
@@ -82,7 +82,7 @@ class DefaultsAtRest : public testing::TestWithParam<DefaultBody> {};
 /// A box between smooth walls bears its weight: u_y = ρg/(λ + 2μ) (y²/2 − H y) over its foot and
 /// P_yy = −ρg (H − y), which a mode that changes sign from node to node would alternate about.
 TEST_P(DefaultsAtRest, StandAsTheyShouldUnderTheirWeight) {
-  const Discretisation<2> disc = build<2>(scene_of(GetParam(), "linear-elastic"));
+  const Discretisation<2> disc = build<2>(scene_with(GetParam(), "linear-elastic"));
   ASSERT_EQ(disc.viscosity.nonZeros(), 0);
   const VectorField<2>& X = disc.particles.X;
   const Vector<2> low = X.colwise().minCoeff().transpose();

@@ -18,7 +18,7 @@
 namespace tlsph {
 namespace {
 
-constexpr double spacing = 0.05;
+constexpr double lattice_spacing = 0.05;
 
 using Points = std::vector<Vector<2>>;
 
@@ -32,12 +32,13 @@ VectorField<2> field_of(const Points& points) {
 VectorField<2> lattice(int columns, int rows) {
   Points points;
   for (int j = 0; j < rows; ++j)
-    for (int i = 0; i < columns; ++i) points.emplace_back(0.3 + spacing * i, -0.1 + spacing * j);
+    for (int i = 0; i < columns; ++i)
+      points.emplace_back(0.3 + lattice_spacing * i, -0.1 + lattice_spacing * j);
   return field_of(points);
 }
 
 ScalarField volumes(const VectorField<2>& X) {
-  return ScalarField::Constant(X.rows(), spacing * spacing);
+  return ScalarField::Constant(X.rows(), lattice_spacing * lattice_spacing);
 }
 
 /// Σ_q |G_pq| Δ, the largest of all rows.
@@ -48,7 +49,7 @@ double largest_size(const VectorOperator<2>& G) {
     for (Index k = G.pattern().start[static_cast<std::size_t>(p)];
          k < G.pattern().start[static_cast<std::size_t>(p) + 1]; ++k)
       size += std::hypot(G.weight(k, 0), G.weight(k, 1));
-    largest = std::max(largest, size * spacing);
+    largest = std::max(largest, size * lattice_spacing);
   }
   return largest;
 }
@@ -74,11 +75,11 @@ double error_of_quadratics(const VectorOperator<2>& G, const VectorField<2>& X) 
 /// Where the neighbourhood of 1.515 spacings does, its kernel gradient is taken as it is.
 TEST(PairGradient, OfALatticeIsTheNarrowKernelGradient) {
   const VectorField<2> X = lattice(9, 6);
-  const auto expected =
-      collocated_gradient<2>(WendlandC2{}, 1.515 * spacing, X, volumes(X), Correction::gradient);
+  const auto expected = collocated_gradient<2>(WendlandC2{}, 1.515 * lattice_spacing, X, volumes(X),
+                                               Correction::gradient);
 
-  const auto linear = pair_gradient<2>(X, volumes(X), spacing, 1);
-  const auto quadratic = pair_gradient<2>(X, volumes(X), spacing, 2);
+  const auto linear = pair_gradient<2>(X, volumes(X), lattice_spacing, 1);
+  const auto quadratic = pair_gradient<2>(X, volumes(X), lattice_spacing, 2);
 
   ASSERT_EQ(linear.pattern().column, expected.pattern().column);
   for (std::size_t k = 0; k < expected.weights().size(); ++k)
@@ -97,16 +98,17 @@ VectorField<2> wedge(double angle, double nearest, std::mt19937_64& generator) {
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   const Vector<2> side(std::cos(angle), std::sin(angle));
   Points points;
-  const int edge = static_cast<int>(1.0 / spacing);
+  const int edge = static_cast<int>(1.0 / lattice_spacing);
   for (int k = 0; k <= edge; ++k) {
-    points.emplace_back(k * spacing, 0.0);
-    if (k > 0) points.emplace_back(k * spacing * side);
+    points.emplace_back(k * lattice_spacing, 0.0);
+    if (k > 0) points.emplace_back(k * lattice_spacing * side);
   }
   const auto own = points.size();
   for (int tries = 0; tries < 4000; ++tries) {
     const double r = std::sqrt(uniform(generator)), t = angle * uniform(generator);
     const Vector<2> X(r * std::cos(t), r * std::sin(t));
-    const bool edges = X.y() < 0.5 * spacing || (X - X.dot(side) * side).norm() < 0.5 * spacing;
+    const bool edges =
+        X.y() < 0.5 * lattice_spacing || (X - X.dot(side) * side).norm() < 0.5 * lattice_spacing;
     if (!edges && std::ranges::all_of(points, [&](const Vector<2>& other) {
           return (other - X).norm() >= nearest;
         }))
@@ -122,12 +124,12 @@ VectorField<2> sheet(double jitter, double radius, std::mt19937_64& generator) {
   Points points;
   for (int j = 0; j <= 16; ++j)
     for (int i = 0; i <= 16; ++i) {
-      Vector<2> X(spacing * i, spacing * j);
-      if (X.norm() < radius - 0.5 * spacing) continue;
-      if (X.norm() < radius + 0.5 * spacing)
+      Vector<2> X(lattice_spacing * i, lattice_spacing * j);
+      if (X.norm() < radius - 0.5 * lattice_spacing) continue;
+      if (X.norm() < radius + 0.5 * lattice_spacing)
         X *= radius / X.norm();
       else if (i % 16 != 0 && j % 16 != 0)
-        X += spacing * Vector<2>(uniform(generator), uniform(generator));
+        X += lattice_spacing * Vector<2>(uniform(generator), uniform(generator));
       points.push_back(X);
     }
   return field_of(points);
@@ -142,11 +144,11 @@ TEST(PairGradient, IsExactAndBoundedOnAnyNodes) {
   for (int k = 0; k < count; ++k) {
     const double angle = (20.0 + 70.0 * uniform(generator)) * std::numbers::pi / 180.0;
     const VectorField<2> X =
-        k % 2 == 0 ? wedge(angle, (0.5 + 0.4 * uniform(generator)) * spacing, generator)
+        k % 2 == 0 ? wedge(angle, (0.5 + 0.4 * uniform(generator)) * lattice_spacing, generator)
                    : sheet(0.3 * uniform(generator), 0.1 + 0.5 * uniform(generator), generator);
     SCOPED_TRACE("set " + std::to_string(k) + ", " + std::to_string(X.rows()) + " nodes");
     for (const int degree : {1, 2}) {
-      const auto G = pair_gradient<2>(X, volumes(X), spacing, degree);
+      const auto G = pair_gradient<2>(X, volumes(X), lattice_spacing, degree);
 
       EXPECT_LE(largest_size(G), degree == 1 ? 5.0 : 9.0) << "degree " << degree;
       TensorField<2> H(X.rows(), 4);
@@ -164,7 +166,7 @@ TEST(PairGradient, IsExactAndBoundedOnAnyNodes) {
 TEST(PairGradient, OfTwoRowsIsLinear) {
   const VectorField<2> X = lattice(20, 2);
 
-  const auto G = pair_gradient<2>(X, volumes(X), spacing, 2);
+  const auto G = pair_gradient<2>(X, volumes(X), lattice_spacing, 2);
 
   EXPECT_LE(largest_size(G), 9.0);
   TensorField<2> H(X.rows(), 4);
@@ -176,7 +178,7 @@ TEST(PairGradient, OfTwoRowsIsLinear) {
 TEST(PairGradient, RefusesNodesOnALine) {
   const VectorField<2> X = lattice(20, 1);
 
-  EXPECT_THROW((void)pair_gradient<2>(X, volumes(X), spacing, 1), InputError);
+  EXPECT_THROW((void)pair_gradient<2>(X, volumes(X), lattice_spacing, 1), InputError);
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ std::vector<Face<2>> around(const VectorField<2>& X, const std::vector<int>& loo
   return faces;
 }
 
-Place line_of(Index q) {
+Place csv_line_of(Index q) {
   return {"p.csv", static_cast<int>(q) + 2, 1, ""};
 }
 
@@ -79,7 +79,7 @@ TEST(Triangulate, FillsTheBodyOnly) {
   const auto hole = around(X, {4, 7, 6, 5});
   faces.insert(faces.end(), hole.begin(), hole.end());
 
-  const auto triangles = triangulate(X, faces, line_of);
+  const auto triangles = triangulate(X, faces, csv_line_of);
 
   EXPECT_EQ(triangles.size(), 8u);
   double sum = 0.0;
@@ -87,13 +87,13 @@ TEST(Triangulate, FillsTheBodyOnly) {
   EXPECT_NEAR(sum, 8.0, 1e-12);
 
   const auto L = nodes({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}});
-  EXPECT_EQ(triangulate(L, around(L, {0, 1, 2, 3, 4, 5}), line_of).size(), 4u);
+  EXPECT_EQ(triangulate(L, around(L, {0, 1, 2, 3, 4, 5}), csv_line_of).size(), 4u);
 }
 
 TEST(Triangulate, RefusesAFaceWithANodeTooClose) {
   const auto X = nodes({{0, 0}, {4, 0}, {4, 1}, {0, 1}, {2, 0.1}, {2, -1}});
   EXPECT_THAT(refusal([&] {
-                (void)triangulate(X, around(X, {0, 1, 2, 3}), line_of);
+                (void)triangulate(X, around(X, {0, 1, 2, 3}), csv_line_of);
               }),
               HasSubstr("p.csv:2:1: too few points on the boundary: between (0, 0) and (4, 0)"));
 }
@@ -101,7 +101,7 @@ TEST(Triangulate, RefusesAFaceWithANodeTooClose) {
 TEST(Triangulate, RefusesTrianglesWithoutArea) {
   const auto X = nodes({{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 1e-5}});
   EXPECT_THAT(refusal([&] {
-                (void)triangulate(X, around(X, {0, 1, 2, 3}), line_of);
+                (void)triangulate(X, around(X, {0, 1, 2, 3}), csv_line_of);
               }),
               HasSubstr("stand in a line"));
 }

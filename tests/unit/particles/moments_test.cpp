@@ -15,7 +15,7 @@
 namespace tlsph {
 namespace {
 
-Particles<2> square(double jitter) {
+Particles<2> jittered_square(double jitter) {
   const Shape<2> shape = make_box<2>({1.0, 2.0}, {3.0, 4.0});
   return jittered<2>(make_lattice<2>(shape, 0.25, NodePlacement::on_boundary, {}), jitter, 3);
 }
@@ -49,7 +49,7 @@ TEST(ExactMoments, OfAnIntervalAreThoseOfItsEnds) {
 }
 
 TEST(ExactMoments, OfASquareAreThoseOfItsShape) {
-  const Particles<2> body = with_exact_moments<2>(square(0.2), {2, 3});
+  const Particles<2> body = with_exact_moments<2>(jittered_square(0.2), {2, 3});
 
   for (const auto& exponents : monomials<2>(3)) {
     const auto [i, j] = exponents;
@@ -71,7 +71,7 @@ TEST(ExactMoments, OfASquareAreThoseOfItsShape) {
 }
 
 TEST(ExactMoments, ChangeAsLittleAsTheyMust) {
-  const Particles<2> before = square(0.0);
+  const Particles<2> before = jittered_square(0.0);
 
   const Particles<2> same = with_exact_moments<2>(before, {1, 1});
   const Particles<2> after = with_exact_moments<2>(before, {2, 3});
@@ -84,7 +84,7 @@ TEST(ExactMoments, ChangeAsLittleAsTheyMust) {
 }
 
 TEST(ExactMoments, KeepTheSharesOfPatchesInStep) {
-  const Particles<2> body = with_exact_moments<2>(square(0.2), {2, 3});
+  const Particles<2> body = with_exact_moments<2>(jittered_square(0.2), {2, 3});
 
   VectorField<2> B = VectorField<2>::Zero(body.size(), 2);
   for (const char* side : {"left", "right", "bottom", "top"})

@@ -39,7 +39,7 @@ record = ["displacement", "pk1"]
 )";
 
 /// A sheet pulled at both ends; its probe lies in the upper right quarter.
-const std::string sheet = head + R"([body]
+const std::string pulled_sheet = head + R"([body]
 shape = { box = [[0.0, 0.0], [1.0, 0.6]] }
 spacing = 0.1
 [[boundary]]
@@ -104,7 +104,7 @@ INSTANTIATE_TEST_SUITE_P(
         std::vector<std::string>{"material.region=[{box=[[0.0,0.0],[0.5,0.1]],young=2e6}]"}));
 
 TEST(ToHalf, OfASheetKeepsTheSideOfItsProbes) {
-  const Scene scene = read(sheet);
+  const Scene scene = read(pulled_sheet);
 
   const auto right = to_half(scene, 0);
   const auto upper = to_half(scene, 1);
@@ -123,7 +123,7 @@ TEST(ToHalf, OfASheetKeepsTheSideOfItsProbes) {
 }
 
 TEST(ToHalf, TwiceIsAQuarterThatMovesAsTheWhole) {
-  const Scene whole = read(sheet, {"output.frames=0"});
+  const Scene whole = read(pulled_sheet, {"output.frames=0"});
   const Scene half = smaller(whole, *to_half(whole, 0));
   const Scene quarter = smaller(half, *to_half(half, 1));
   const auto energy = [](const Scene& scene) { return run(scene, {}).energy; };
@@ -138,7 +138,7 @@ TEST(ToHalf, TwiceIsAQuarterThatMovesAsTheWhole) {
 TEST(ToHalf, HolesComeInPairs) {
   const auto with_holes = [](const std::string& second) {
     return read(
-        sheet,
+        pulled_sheet,
         {"body.shape={difference=[{box=[[0,0],[1,0.6]]},{disc={centre=[0.3,0.3],radius=0.1}},"
          "{disc={centre=" +
          second + ",radius=0.1}}]}"});
@@ -158,7 +158,7 @@ TEST(ToHalf, HolesComeInPairs) {
 class NoHalf : public testing::TestWithParam<std::vector<std::string>> {};
 
 TEST_P(NoHalf, WhereTheOtherIsNoImage) {
-  EXPECT_FALSE(to_half(read(sheet, GetParam()), 0));
+  EXPECT_FALSE(to_half(read(pulled_sheet, GetParam()), 0));
 }
 
 INSTANTIATE_TEST_SUITE_P(

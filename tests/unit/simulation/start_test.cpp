@@ -75,7 +75,7 @@ TEST(Start, OfASupportAwayFromTheBodyIsRemarked) {
 }
 
 /// A sheet of St Venant–Kirchhoff, free of stress across it, ν = 0.4.
-const std::string sheet = R"(
+const std::string pressed_sheet = R"(
 [body]
 shape = { box = [[0.0, 0.0], [0.1, 0.02]] }
 spacing = 5e-3
@@ -99,7 +99,7 @@ NumericalError failure_of(const std::vector<std::string>& overrides) {
   RunOptions options;
   options.threads = 1;
   try {
-    (void)run(read_scene_text(sheet, "sheet.toml", overrides), options);
+    (void)run(read_scene_text(pressed_sheet, "sheet.toml", overrides), options);
   } catch (const NumericalError& error) {
     return error;
   }

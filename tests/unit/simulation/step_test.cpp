@@ -185,7 +185,7 @@ TEST_F(StepOfARun, OwesNoMoreThanATwentiethToTheSmallestLimit) {
   }
 }
 
-const std::string bar = R"(
+const std::string struck_bar = R"(
 dimension = 1
 [body]
 shape = { interval = [0.0, 1.0] }
@@ -211,7 +211,7 @@ step = 3.4e-4
 )";
 
 TEST_F(StepOfARun, RefusesAStepAboveTheCriticalOne) {
-  const Scene scene = read_scene_text(bar, "bar.toml", {});
+  const Scene scene = read_scene_text(struck_bar, "bar.toml", {});
   try {
     (void)run(scene, quiet());
     FAIL() << "the run came to its end";
@@ -225,12 +225,13 @@ TEST_F(StepOfARun, RefusesAStepAboveTheCriticalOne) {
 }
 
 TEST_F(StepOfARun, TakesAStepAtTheCriticalOne) {
-  const Summary summary = run(read_scene_text(bar, "bar.toml", {"time.step=3.16e-4"}), quiet());
+  const Summary summary =
+      run(read_scene_text(struck_bar, "bar.toml", {"time.step=3.16e-4"}), quiet());
   EXPECT_NEAR(summary.end_time, 0.1, 1e-12);
 }
 
 TEST_F(StepOfARun, EndsWhereMotionStartsToGrow) {
-  const NumericalError failure = failure_of(bar, {"time.allow_unstable=true"});
+  const NumericalError failure = failure_of(struck_bar, {"time.allow_unstable=true"});
 
   EXPECT_THAT(failure.what(), HasSubstr("motion grows beyond all bounds at t = "));
   EXPECT_GT(failure.time(), 0.0);
@@ -247,7 +248,7 @@ TEST_F(StepOfARun, EndsWhereMotionStartsToGrow) {
 TEST_F(StepOfARun, RefusesStepsThatCannotBeCounted) {
   for (const auto& [end, count] : {std::pair{"1e25", "e+28 steps"}, std::pair{"1e300", "e+"}}) {
     const std::vector<std::string> endless = {"time.step=2e-4", std::string("time.end=") + end};
-    EXPECT_THAT([&] { (void)run(read_scene_text(bar, "bar.toml", endless), quiet()); },
+    EXPECT_THAT([&] { (void)run(read_scene_text(struck_bar, "bar.toml", endless), quiet()); },
                 testing::ThrowsMessage<InputError>(
                     testing::AllOf(HasSubstr("time.end"), HasSubstr(count))));
     EXPECT_FALSE(std::filesystem::exists(folder));

@@ -46,13 +46,13 @@ fixed = true
 end = 1.0
 )";
 
-struct Case {
+struct StepCase {
   const char* name;
   std::string scene;
   std::vector<std::string> overrides;
 };
 
-void PrintTo(const Case& of, std::ostream* out) {
+void PrintTo(const StepCase& of, std::ostream* out) {
   *out << of.name;
 }
 
@@ -82,7 +82,7 @@ SparseMatrix dynamic_matrix(const Discretisation<D>& disc, State<D>& state) {
 }
 
 template <int D>
-void compare(const Case& of) {
+void compare(const StepCase& of) {
   const Scene scene = read_scene_text(of.scene, "scene.toml", of.overrides);
   const Discretisation<D> disc = build<D>(scene);
   InitialState<D> initial = build_initial<D>(scene, disc);
@@ -110,7 +110,7 @@ void compare(const Case& of) {
   }
 }
 
-class CriticalStepOf : public testing::TestWithParam<Case> {};
+class CriticalStepOf : public testing::TestWithParam<StepCase> {};
 
 TEST_P(CriticalStepOf, IsThatOfTheWholeSpectrum) {
   GetParam().scene == bar ? compare<1>(GetParam()) : compare<2>(GetParam());
@@ -119,15 +119,15 @@ TEST_P(CriticalStepOf, IsThatOfTheWholeSpectrum) {
 INSTANTIATE_TEST_SUITE_P(
     Formulations, CriticalStepOf,
     testing::Values(
-        Case{"BarStressPoint", bar, {"formulation=stress-point"}},
-        Case{"BarMirror", bar, {"formulation=mirror"}},
-        Case{"BarMirrorWide", bar, {"formulation=mirror", "kernel.support=5.5"}},
-        Case{"BarVariational", bar, {"formulation=variational"}},
-        Case{"BarThesis", bar, {"formulation=thesis"}},
-        Case{"BarThesisWide", bar, {"formulation=thesis", "kernel.support=5.5"}},
-        Case{"SheetStressPoint", sheet, {"formulation=stress-point"}},
-        Case{"SheetNoStabiliser", sheet, {"formulation=stress-point", "stabiliser.kind=none"}},
-        Case{"SheetVariational", sheet, {"formulation=variational", "body.jitter=0.1"}}),
+        StepCase{"BarStressPoint", bar, {"formulation=stress-point"}},
+        StepCase{"BarMirror", bar, {"formulation=mirror"}},
+        StepCase{"BarMirrorWide", bar, {"formulation=mirror", "kernel.support=5.5"}},
+        StepCase{"BarVariational", bar, {"formulation=variational"}},
+        StepCase{"BarThesis", bar, {"formulation=thesis"}},
+        StepCase{"BarThesisWide", bar, {"formulation=thesis", "kernel.support=5.5"}},
+        StepCase{"SheetStressPoint", sheet, {"formulation=stress-point"}},
+        StepCase{"SheetNoStabiliser", sheet, {"formulation=stress-point", "stabiliser.kind=none"}},
+        StepCase{"SheetVariational", sheet, {"formulation=variational", "body.jitter=0.1"}}),
     [](const auto& test) { return test.param.name; });
 
 }  // namespace
