@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 #include "consistency_constraints.hpp"
@@ -17,11 +18,13 @@ namespace {
 
 constexpr double acceptable = 1e-8;  // residual that is an error above
 constexpr double exact_enough = 1e-13;
-constexpr double gain = 1e-9;  // of a round; the next one starts from the true residual
+constexpr double good_enough = 1e-11;  // of the factor of A w Aᵀ; else that of √w Aᵀ is taken
+constexpr double gain = 1e-9;          // of a round; the next one starts from the true residual
 /// Lifts of the diagonal that are tried in turn, shares of its largest entry.
 constexpr std::array lifts = {1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9};
 constexpr int most_refinements = 5;
-constexpr int most_iterations = 300;  // of conjugate gradients in each; long strips need many
+constexpr int most_iterations =
+    40;  // of conjugate gradients in each; the last one if they end there
 /// Every entry may change a little, those that are zero too: share of the largest weight.
 constexpr double least_weight = 1e-3;
 
@@ -33,42 +36,42 @@ Eigen::VectorXd entries_of(const VectorOperator<D>& gradient, int a, double spac
   return g;
 }
 
-/// δ = w Aᵀλ with A δ = r, r what is left of the constraints at g: conjugate gradients among the λ
-/// without `dependences`, preconditioned by the factor, which is nearly exact.
+/// The part of x that is orthogonal to the columns of `dependences`.
+Eigen::VectorXd without(Eigen::VectorXd x, const Eigen::MatrixXd& dependences) {
+  x -= dependences * (dependences.transpose() * x);
+  return x;
+}
+
+using Solve = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
+
+/// Adds to δ the change w Aᵀλ that takes away what is left of the constraints at g + δ: conjugate
+/// gradients among the λ without `dependences`, preconditioned by `inverse`, which is nearly that
+/// of A w Aᵀ.
 template <int D>
-Eigen::VectorXd least_change(const ConsistencyConstraints<D>& constraints, const Cholesky& factor,
-                             const Eigen::MatrixXd& dependences, const Eigen::VectorXd& g,
-                             const Eigen::VectorXd& freedom, int a) {
-  SolveWorkspace scratch = factor.workspace();
-  const auto without = [&](Eigen::VectorXd x) -> Eigen::VectorXd {
-    x -= dependences * (dependences.transpose() * x);
-    return x;
-  };
-  const auto solved = [&](const Eigen::VectorXd& b) {
-    Eigen::VectorXd x(b.size());
-    factor.solve_into(b.data(), x.data(), scratch);
-    return without(std::move(x));
-  };
+void refine(const ConsistencyConstraints<D>& constraints, const Solve& inverse,
+            const Eigen::MatrixXd& dependences, const Eigen::VectorXd& g,
+            const Eigen::VectorXd& freedom, int a, Eigen::VectorXd& best) {
+  const auto solved = [&](const Eigen::VectorXd& b) { return without(inverse(b), dependences); };
   const Eigen::VectorXd at_zero = constraints.residual(Eigen::VectorXd::Zero(g.size()), a);
   const auto product = [&](const Eigen::VectorXd& lambda) -> Eigen::VectorXd {
     return at_zero - constraints.residual(constraints.change(lambda, freedom), a);
   };
-  Eigen::VectorXd best = Eigen::VectorXd::Zero(g.size());
-  Eigen::VectorXd left = constraints.residual(g, a);
+  Eigen::VectorXd left = constraints.residual(g + best, a);
   double size = left.cwiseAbs().maxCoeff();
   for (int round = 0; round < most_refinements && size > exact_enough; ++round) {
     Eigen::VectorXd lambda = Eigen::VectorXd::Zero(left.size());
-    Eigen::VectorXd r = without(left);
+    Eigen::VectorXd r = without(left, dependences);
     Eigen::VectorXd z = solved(r);
     Eigen::VectorXd direction = z;
     double rho = r.dot(z);
     const double enough = std::max(gain * size, 0.1 * exact_enough);
-    for (int k = 0; k < most_iterations && r.cwiseAbs().maxCoeff() > enough && rho > 0; ++k) {
+    int k = 0;
+    for (; k < most_iterations && r.cwiseAbs().maxCoeff() > enough && rho > 0; ++k) {
       stop_point();
       const Eigen::VectorXd image = product(direction);
       const double step = rho / direction.dot(image);
       lambda += step * direction;
-      r -= step * without(image);
+      r -= step * without(image, dependences);
       z = solved(r);
       const double next = r.dot(z);
       direction = z + next / rho * direction;
@@ -81,8 +84,8 @@ Eigen::VectorXd least_change(const ConsistencyConstraints<D>& constraints, const
     best = delta;
     left = now;
     size = next;
+    if (k == most_iterations) break;
   }
-  return best;
 }
 
 /// As many rows as columns, on which the columns are as independent as can be.
@@ -93,8 +96,9 @@ std::vector<Index> strongest_rows(const Eigen::MatrixXd& columns) {
 }
 
 /// Factorises the matrix (its lower triangle) with what makes it definite: the constraints `pinned`
-/// take the dependences away, and a lift of the diagonal as small as rounding allows.
-void factorise(std::optional<Cholesky>& factor, SparseMatrix normal,
+/// take the dependences away, and a lift of the diagonal as small as rounding allows. False if no
+/// lift makes it definite.
+bool factorise(std::optional<Cholesky>& factor, SparseMatrix normal,
                const std::vector<Index>& pinned) {
   const auto diagonal = [&](Index row) -> double& {
     return normal.valuePtr()[normal.outerIndexPtr()[row + 1] - 1];
@@ -112,11 +116,45 @@ void factorise(std::optional<Cholesky>& factor, SparseMatrix normal,
         factor->refactorize(normal);
       else
         factor.emplace(normal);
-      return;
-    } catch (const NumericalError&) {
-      if (lift == lifts.back()) throw;
+      return true;
+    } catch (const NumericalError&) {  // the next lift
     }
   }
+  return false;
+}
+
+/// The least change δ, Σ δ²/freedom, that makes the entries g of direction a consistent. `factor`
+/// keeps its symbolic analysis for the next direction.
+template <int D>
+Eigen::VectorXd least_change(const ConsistencyConstraints<D>& constraints,
+                             const Eigen::MatrixXd& dependences, const std::vector<Index>& pinned,
+                             const Eigen::VectorXd& g, const Eigen::VectorXd& freedom, int a,
+                             std::optional<Cholesky>& factor) {
+  Eigen::VectorXd delta = Eigen::VectorXd::Zero(g.size());
+  if (factorise(factor, constraints.normal(freedom), pinned)) {
+    SolveWorkspace scratch = factor->workspace();
+    const Solve inverse = [&](const Eigen::VectorXd& b) {
+      Eigen::VectorXd x(b.size());
+      factor->solve_into(b.data(), x.data(), scratch);
+      return x;
+    };
+    refine<D>(constraints, inverse, dependences, g, freedom, a, delta);
+  }
+  if (constraints.residual(g + delta, a).cwiseAbs().maxCoeff() <= good_enough) return delta;
+  // In a long strip A w Aᵀ has eigenvalues below the rounding of its entries; √w Aᵀ has not.
+  stop_point();
+  LeastNorm solver(constraints.root(freedom, pinned));
+  Eigen::VectorXd left = constraints.residual(g + delta, a);
+  for (int round = 0; round < most_refinements; ++round) {
+    stop_point();
+    const Eigen::VectorXd roots = solver.solve(without(left, dependences));
+    const Eigen::VectorXd next = delta + freedom.cwiseSqrt().cwiseProduct(roots.head(g.size()));
+    const Eigen::VectorXd now = constraints.residual(g + next, a);
+    if (!(now.cwiseAbs().maxCoeff() < left.cwiseAbs().maxCoeff())) break;
+    delta = next;
+    left = now;
+  }
+  return delta;
 }
 
 /// Takes the residual of a direction into the largest ones.
@@ -155,8 +193,8 @@ ConsistentGradient<D> consistent_gradient(const VectorOperator<D>& gradient,
   for (int a = 0; a < D; ++a) {
     const Eigen::VectorXd g = entries_of<D>(gradient, a, particles.spacing);
     const Eigen::VectorXd freedom = g.cwiseAbs().array() + least_weight * g.cwiseAbs().maxCoeff();
-    factorise(factor, constraints.normal(freedom), pinned);
-    const Eigen::VectorXd delta = least_change<D>(constraints, *factor, dependences, g, freedom, a);
+    const Eigen::VectorXd delta =
+        least_change<D>(constraints, dependences, pinned, g, freedom, a, factor);
     const Eigen::VectorXd left = constraints.residual(g + delta, a);
     note(result.residuals, left, constraints.row_size());
     result.residuals.change = std::max(result.residuals.change, delta.cwiseAbs().maxCoeff());

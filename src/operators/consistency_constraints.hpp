@@ -135,6 +135,25 @@ class ConsistencyConstraints {
     return qr.householderQ() * Eigen::MatrixXd::Identity(size(), all.cols());
   }
 
+  /// √w Aᵀ and below it a row e_cᵀ for each of the constraints c.
+  [[nodiscard]] SparseMatrix root(const Eigen::VectorXd& w,
+                                  const std::vector<Index>& constraints) const {
+    SparseMatrix B(entries() + static_cast<Index>(constraints.size()), size());
+    B.reserve(Eigen::VectorXi::Constant(B.rows(), static_cast<int>(mr_ + mc_)));
+    for_rows(rows_, [&](Index s) {
+      for (Index k = begin(s); k < begin(s + 1); ++k) {
+        for (Index j = 0; j < mr_; ++j)
+          B.insert(k, s * mr_ + j) = std::sqrt(w[k]) * row_polynomial(k)[j];
+        for (Index j = 0; j < mc_; ++j)
+          B.insert(k, row_size() + column(k) * mc_ + j) = std::sqrt(w[k]) * column_polynomial(k)[j];
+      }
+    });
+    for (std::size_t i = 0; i < constraints.size(); ++i)
+      B.insert(entries() + static_cast<Index>(i), constraints[i]) = 1.0;
+    B.makeCompressed();
+    return B;
+  }
+
   /// The lower triangle of A w Aᵀ; its pattern does not depend on the weights.
   [[nodiscard]] SparseMatrix normal(const Eigen::VectorXd& weight) const {
     SparseMatrix S(size(), size());

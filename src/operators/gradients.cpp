@@ -2,29 +2,67 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <array>
+#include <cmath>
+#include <map>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
+#include "moving_fit.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/particles/moments.hpp"
 
 namespace tlsph {
 namespace {
 
-/// Reciprocal condition below which a moment matrix counts as singular.
-constexpr double singular = 1e-10;
+/// Reciprocal condition below which a moment matrix counts as singular, and the least one of a row
+/// whose radius is chosen here.
+constexpr double singular = 1e-10, well_conditioned = 1e-5;
+/// A row that its nodes do not determine takes those of a radius larger by this ratio, and again,
+/// up to so many times the support.
+constexpr double ratio = 1.1, widest = 2.5;
+
+/// `X` as words.
+template <int D>
+std::string words_of(const Vector<D>& X) {
+  std::string words;
+  for (int a = 0; a < D; ++a) words += fmt::format("{}{:.6g}", a == 0 ? "" : ", ", X[a]);
+  return words;
+}
 
 template <int D>
-[[noreturn]] void too_few_neighbours(const Vector<D>& at, Index count, double h) {
-  std::string where;
-  for (int a = 0; a < D; ++a) where += fmt::format("{}{:.6g}", a == 0 ? "" : ", ", at[a]);
+VectorField<D> only(const VectorField<D>& X, Index row) {
+  return X.row(row);
+}
+
+/// Whether the arms to the nodes within h span the space, none of its directions nearly missing.
+template <int D>
+bool spans(const VectorField<D>& X, Index p, double h) {
+  constexpr double clear = 1e-2;
+  Tensor<D> moment = Tensor<D>::Zero();
+  for (const int q : find_neighbours<D>(only<D>(X, p), X, h).column) {
+    const Vector<D> arm = (X.row(q) - X.row(p)).transpose() / h;
+    moment += arm * arm.transpose();
+  }
+  return std::abs(moment.determinant()) > std::pow(clear, D);
+}
+
+template <int D>
+[[noreturn]] void too_few_neighbours(const Neighbours& near, const VectorField<D>& X, Index p,
+                                     double h) {
+  constexpr double margin = 1.05;  // within the rim, where the kernel is zero
+  std::string cure = "a thicker body or a finer spacing";
+  for (double times = ratio; times <= widest; times *= ratio)
+    if (spans<D>(X, p, times * h / margin)) {
+      cure = fmt::format("a support {:.2f} times as large", times);
+      break;
+    }
   throw InputError(
-      fmt::format("kernel.support: the {} neighbours of the particle at ({}) within {:.6g} m do "
-                  "not determine a "
-                  "gradient; choose a larger support or a thicker body",
-                  count, where, h));
+      fmt::format("kernel.support: the {} neighbours of the particle at ({}) within "
+                  "{:.6g} m do not determine a gradient; choose {}",
+                  near.of(p).size(), words_of<D>(X.row(p).transpose()), h, cure));
 }
 
 /// ∇_p W(X_p − X_q); zero for the particle itself.
@@ -33,11 +71,6 @@ Vector<D> kernel_gradient(const Family& family, const Vector<D>& difference, dou
   const double r = difference.norm();
   if (r == 0.0) return Vector<D>::Zero();
   return kernel_first<D>(family, r, h) / r * difference;
-}
-
-template <int D>
-Vector<D> position(const VectorField<D>& X, Index row) {
-  return X.row(row).transpose();
 }
 
 /// Calls `entry(k, q, X_p − X_q)` for the entries of row p.
@@ -57,43 +90,46 @@ void store(std::vector<double>& weights, Index k, const Vector<D>& value) {
   for (int a = 0; a < D; ++a) weights[static_cast<std::size_t>(k * D + a)] = value[a];
 }
 
-/// Inverse of the moment matrix of row p, or the error that it has none.
-template <int D>
-Tensor<D> inverse_moment(const Tensor<D>& moment, double scale, const Vector<D>& at, Index count,
-                         double h) {
-  const double det = moment.determinant();
-  double limit = singular;
-  for (int a = 0; a < D; ++a) limit *= scale;
-  if (!(std::abs(det) > limit)) too_few_neighbours<D>(at, count, h);
-  return moment.inverse();
+/// The nodes around some points and D weights for each.
+struct FittedRows {
+  Neighbours near;
+  std::vector<double> weights;
+};
+
+/// The fit at point s, over no more nodes than a well-conditioned one needs.
+template <int D, class Family>
+FittedRows wider_row(const MovingFit<D, Family>& fit, const VectorField<D>& points,
+                     const VectorField<D>& X, Index s, double h) {
+  for (double times = ratio; times <= widest; times *= ratio) {
+    FittedRows row{find_neighbours<D>(only<D>(points, s), X, times * h), {}};
+    row.weights.resize(row.near.column.size() * D);
+    if (fit.weights(s, row.near.of(0), times * h, well_conditioned, row.weights.data())) return row;
+  }
+  throw InputError(
+      fmt::format("kernel.order: the nodes around ({}) do not determine a polynomial "
+                  "of degree {}; choose a thicker body, a finer spacing or a lower "
+                  "degree",
+                  words_of<D>(points.row(s).transpose()), fit.degree()));
 }
 
-/// Row s of the fit c·p(X_q − X_s), p the monomials up to degree 2 in units of h: the weights of
-/// the first derivatives.
-template <int D, class Family>
-void fit_row(const Family& family, const Neighbours& near, const VectorField<D>& points,
-             const VectorField<D>& X, Index s, double h, int order, std::vector<double>& weights) {
-  const auto exponents = monomials<D>(order);
-  const auto terms = static_cast<Index>(exponents.size());
-  const auto values = [&](const Vector<D>& difference) {
-    return monomial_values<D>(exponents, Vector<D>(-difference / h));
-  };
-  Eigen::MatrixXd moment = Eigen::MatrixXd::Zero(terms, terms);
-  for_row<D>(near, points, X, s, [&](Index, Index, const Vector<D>& difference) {
-    const Eigen::VectorXd p = values(difference);
-    moment += kernel_value<D>(family, difference.norm(), h) * p * p.transpose();
-  });
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(moment);
-  const auto row = static_cast<std::size_t>(s);
-  if (!(spectrum.eigenvalues()[0] > singular * spectrum.eigenvalues()[terms - 1]))
-    too_few_neighbours<D>(position<D>(points, s), near.start[row + 1] - near.start[row], h);
-  // The coefficients of the first derivatives are rows 1 … D of M⁻¹ Σ w p.
-  const Eigen::MatrixXd inverse =
-      moment.ldlt().solve(Eigen::MatrixXd::Identity(terms, terms)).middleRows(1, D) / h;
-  for_row<D>(near, points, X, s, [&](Index k, Index, const Vector<D>& difference) {
-    const double w = kernel_value<D>(family, difference.norm(), h);
-    store<D>(weights, k, Vector<D>(w * (inverse * values(difference))));
-  });
+/// `rows` with those of `wider` in their places.
+template <int D>
+FittedRows merged(const FittedRows& rows, const std::map<Index, FittedRows>& wider) {
+  FittedRows all;
+  all.near.start.push_back(0);
+  for (Index s = 0; s < rows.near.rows(); ++s) {
+    const auto found = wider.find(s);
+    const FittedRows& from = found == wider.end() ? rows : found->second;
+    const auto row = static_cast<std::size_t>(found == wider.end() ? s : 0);
+    const auto first = static_cast<std::ptrdiff_t>(from.near.start[row]);
+    const auto last = static_cast<std::ptrdiff_t>(from.near.start[row + 1]);
+    all.near.column.insert(all.near.column.end(), from.near.column.begin() + first,
+                           from.near.column.begin() + last);
+    all.weights.insert(all.weights.end(), from.weights.begin() + D * first,
+                       from.weights.begin() + D * last);
+    all.near.start.push_back(static_cast<Index>(all.near.column.size()));
+  }
+  return all;
 }
 
 }  // namespace
@@ -166,9 +202,8 @@ VectorOperator<D> collocated_gradient(const AnyKernel& kernel, double h, const V
             for_row<D>(near, X, X, p, [&](Index, Index q, const Vector<D>& difference) {
               moment -= V[q] * gradient(difference) * difference.transpose();
             });
-            const auto row = static_cast<std::size_t>(p);
-            L = inverse_moment<D>(moment, 1.0, position<D>(X, p),
-                                  near.start[row + 1] - near.start[row], h);
+            if (!is_regular<D>(moment, 1.0, singular)) too_few_neighbours<D>(near, X, p, h);
+            L = moment.inverse();
           }
           Vector<D> others = Vector<D>::Zero();
           Index self = -1;
@@ -191,43 +226,23 @@ VectorOperator<D> collocated_gradient(const AnyKernel& kernel, double h, const V
 template <int D>
 VectorOperator<D> point_gradient(const AnyKernel& kernel, double h, const VectorField<D>& points,
                                  const VectorField<D>& X, int order) {
-  Neighbours near = find_neighbours<D>(points, X, h);
-  std::vector<double> weights(near.column.size() * D);
-  std::visit(
+  return std::visit(
       [&](const auto& family) {
+        const MovingFit<D, std::decay_t<decltype(family)>> fit(family, points, X, order);
+        FittedRows rows{find_neighbours<D>(points, X, h), {}};
+        rows.weights.resize(rows.near.column.size() * D);
+        std::map<Index, FittedRows> wider;
         for (Index s = 0; s < points.rows(); ++s) {
-          if (order > 1) {
-            fit_row<D>(family, near, points, X, s, h, order, weights);
+          const Index first = rows.near.start[static_cast<std::size_t>(s)];
+          if (fit.weights(s, rows.near.of(s), h, singular, rows.weights.data() + first * D))
             continue;
-          }
-          // Centred on the weighted mean, the fit of c + g·(X − X̄) decouples: g = M⁻¹ Σ w (X − X̄)
-          // f.
-          double sum = 0.0;
-          Vector<D> mean = Vector<D>::Zero();
-          for_row<D>(near, points, X, s, [&](Index, Index, const Vector<D>& difference) {
-            const double w = kernel_value<D>(family, difference.norm(), h);
-            sum += w;
-            mean -= w * difference;
-          });
-          mean /= sum;
-          Tensor<D> moment = Tensor<D>::Zero();
-          for_row<D>(near, points, X, s, [&](Index, Index, const Vector<D>& difference) {
-            const double w = kernel_value<D>(family, difference.norm(), h) / sum;
-            const Vector<D> arm = -difference - mean;
-            moment += w * arm * arm.transpose();
-          });
-          const auto row = static_cast<std::size_t>(s);
-          const Tensor<D> inverse = inverse_moment<D>(moment, h * h, position<D>(points, s),
-                                                      near.start[row + 1] - near.start[row], h);
-          for_row<D>(near, points, X, s, [&](Index k, Index, const Vector<D>& difference) {
-            const double w = kernel_value<D>(family, difference.norm(), h) / sum;
-            const Vector<D> weight = w * inverse * (-difference - mean);
-            store<D>(weights, k, weight);
-          });
+          wider.emplace(s, wider_row<D>(fit, points, X, s, h));
         }
+        if (!wider.empty()) rows = merged<D>(rows, wider);
+        return VectorOperator<D>(points.rows(), X.rows(), std::move(rows.near),
+                                 std::move(rows.weights));
       },
       kernel);
-  return VectorOperator<D>(points.rows(), X.rows(), std::move(near), std::move(weights));
 }
 
 #define TLSPH_INSTANTIATE(D)                                                                    \

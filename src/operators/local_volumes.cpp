@@ -107,11 +107,14 @@ void add_segments(const Particles<2>& particles, std::vector<RulePoint<2>>& rule
 /// Σ φ_q p(X_q) = p(X_g) for quadratic p, so φ_q = k_q p_q·c.
 template <int D>
 class Fit {
+  static constexpr int terms = D == 1 ? degree + 1 : (degree + 1) * (degree + 2) / 2;
+  using Polynomial = Eigen::Matrix<double, terms, 1>;
+
  public:
   Fit(const RulePoint<D>& point, const int* near, Index count, const VectorField<D>& X, double h)
       : near_(near, near + count), weight_(point.weight), kernel_(count) {
     static const auto exponents = monomials<D>(degree);
-    values_.resize(static_cast<Index>(exponents.size()), count);
+    values_.resize(terms, count);
     for (Index k = 0; k < count; ++k) {
       const Vector<D> arm = X.row(near[k]).transpose() - point.X;
       kernel_[k] = kernel_value<D>(WendlandC2{}, arm.norm(), h);
@@ -120,9 +123,7 @@ class Fit {
     moment_.compute(values_ * kernel_.asDiagonal() * values_.transpose());
   }
 
-  void add_to(ScalarField& V) const {
-    add(weight_ * moment_.solve(Eigen::VectorXd::Unit(values_.rows(), 0)), V);
-  }
+  void add_to(ScalarField& V) const { add(weight_ * moment_.solve(Polynomial::Unit(0)), V); }
   /// What a term −μ φ_q in the sum above changes, for μ = 1: w (k_q δ_qr − k_q p_q·M⁻¹ p_r k_r).
   void add_response(int q, Eigen::SparseVector<double>& V) const {
     const Index r = std::ranges::lower_bound(near_, q) - near_.begin();
@@ -132,15 +133,15 @@ class Fit {
 
  private:
   template <class Vector>
-  void add(const Eigen::VectorXd& c, Vector& V) const {
+  void add(const Polynomial& c, Vector& V) const {
     for (Index k = 0; k < kernel_.size(); ++k)
       V.coeffRef(near_[static_cast<std::size_t>(k)]) += kernel_[k] * c.dot(values_.col(k));
   }
   std::span<const int> near_;  // ascending
   double weight_;
   Eigen::VectorXd kernel_;
-  Eigen::MatrixXd values_;
-  Eigen::LDLT<Eigen::MatrixXd> moment_;
+  Eigen::Matrix<double, terms, Eigen::Dynamic> values_;
+  Eigen::LDLT<Eigen::Matrix<double, terms, terms>> moment_;
 };
 
 /// V + Σ_r μ_r R_r that lies between the bounds, μ > 0 where it is at the lower one, μ < 0 at the

@@ -58,19 +58,20 @@ class Fit {
 
   /// The first derivatives of the polynomial of degree two fitted with the weights V W.
   [[nodiscard]] Row<D> quadratic(Index p, std::vector<int> nodes, double h) const {
+    constexpr int terms = (D + 1) * (D + 2) / 2;
     const auto count = static_cast<Index>(nodes.size());
-    const auto terms = static_cast<Index>(quadratics_.size());
-    Eigen::MatrixXd f(count, terms);
+    Eigen::Matrix<double, Eigen::Dynamic, terms> f(count, terms);
     Eigen::VectorXd w(count);
     for (Index k = 0; k < count; ++k) {
       const int q = nodes[static_cast<std::size_t>(k)];
       f.row(k) = monomial_values<D>(quadratics_, arm(p, q) / h).transpose();
       w[k] = V_[q] * kernel_value<D>(WendlandC2{}, arm(p, q).norm(), h);
     }
-    const Eigen::LDLT<Eigen::MatrixXd> moment(f.transpose() * w.asDiagonal() * f);
-    Eigen::MatrixXd derivatives = Eigen::MatrixXd::Zero(terms, D);
+    const Eigen::LDLT<Eigen::Matrix<double, terms, terms>> moment(f.transpose() * w.asDiagonal() *
+                                                                  f);
+    Eigen::Matrix<double, terms, D> derivatives = Eigen::Matrix<double, terms, D>::Zero();
     for (int a = 0; a < D; ++a) derivatives(1 + a, a) = 1.0 / h;
-    Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(count, D);
+    Eigen::Matrix<double, Eigen::Dynamic, D> weights = VectorField<D>::Zero(count, D);
     for (int pass = 0; pass < 2; ++pass)  // the second takes out the round-off of the first
       weights += w.asDiagonal() * f * moment.solve(derivatives - f.transpose() * weights);
     Row<D> row{std::move(nodes), {}};

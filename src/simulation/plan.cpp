@@ -129,10 +129,11 @@ std::string plan_in(const Scene& scene) {
   std::string text;
   if (!scene.title.empty()) text += scene.title + "\n";
   text += fmt::format(
-      "{} in {}D: {} particles{}, {} material points, spacing {:.4g} m\n",
+      "{} in {}D: {} particles{}, {} material points, spacing {:.4g} m{}\n",
       name_of(scene.formulation), D, disc.nodes(),
       disc.ghosts ? fmt::format(" and {} ghosts", disc.ghosts->lattice().ghosts()) : std::string(),
-      disc.points.size(), disc.spacing);
+      disc.points.size(), disc.spacing,
+      scene.body.spacing > 0.0 ? "" : ", estimated from the points");
   text += scene.kernel.support ? fmt::format("kernel {}, support {} spacings\n",
                                              scene.kernel.family, *scene.kernel.support)
                                : std::string(disc.particles.triangles.empty()

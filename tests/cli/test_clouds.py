@@ -7,7 +7,7 @@ import re
 import unittest
 
 import h5py
-from support import SHEET, ProgramTest
+from support import SHEET, SOURCE, ProgramTest, read_probes, read_summary
 
 CLOUD = SHEET.replace("spacing = 0.1", 'cloud = "points.csv"')
 
@@ -22,6 +22,49 @@ BROKEN = [
     ("not finite", "x,y\n0,nan\n", "2:3", '"nan" is no finite number'),
     ("short row", "x,y,tag\n0,0,a\n1,0\n", "3:1", "2 cells where the header has 3"),
 ]
+
+# A section of a dam on a rigid base under its weight, its left face loaded within 0.3 s.
+DAM = """\
+gravity = [0.0, -9.81]
+[body]
+cloud = "points.csv"
+shape = { polygon = [[0.0, 0.0], [1.0, 0.0], [0.6, 1.0], [0.2, 1.0]] }
+[material]
+law = "linear-elastic"
+assumption = "strain"
+young = 1e7
+poisson = 0.2
+density = 2400
+[[boundary]]
+where = "base"
+fixed = true
+[[boundary]]
+where = "left_face"
+traction = { curve = "smooth-ramp", amplitude = -5e3, rise = 0.3 }
+[time]
+end = 0.5
+[[probe]]
+name = "crest"
+at = [0.4, 1.0]
+record = ["displacement"]
+[output]
+frames = 1
+"""
+
+LATTICE = """\
+formulation = "consistent"
+[body]
+shape = SHAPE
+spacing = SIZE
+[material]
+young = 1e7
+poisson = 0.3
+density = 1000
+[time]
+end = 1e-6
+[output]
+frames = 0
+"""
 
 CORNERS = "x,y\n0,0\n1,0\n1,1\n0,1\n"
 
@@ -153,10 +196,33 @@ class GoodClouds(ProgramTest):
 
         self.assertEqual(plan.returncode, 0, plan.stderr)
         self.assertIn("points of points.csv", plan.stdout)
+        self.assertRegex(plan.stdout, r"spacing 0\.\d+ m, estimated from the points\n")
         self.assertIn("triangles between them", plan.stdout)
         self.assertEqual(export.returncode, 0, export.stderr)
         report = json.loads((self.folder / "matrices/report.json").read_text())
         self.assertTrue(report)
+
+    def test_formulations_agree(self):
+        self.write("points.csv", (SOURCE / "tests/data/dam.csv").read_text())
+        largest = []
+        for formulation in ("consistent", "stress-point"):
+            out = self.run_scene(DAM, "--set", f"formulation={formulation}", out=formulation)
+            _, rows = read_probes(out / "probes.csv")
+            largest.append([max(abs(float(row[column])) for row in rows) for column in (1, 2)])
+        for one, other in zip(*largest):
+            self.assertAlmostEqual(one, other, delta=0.02 * other)
+
+    def test_a_sharp_tip(self):
+        # Within the support of a point in the 27 degree tip lie five others, of the six that a
+        # polynomial of degree two needs.
+        scene = LATTICE.replace("SHAPE", "{ polygon = [[0.0, 0.0], [2.0, 0.0], [0.0, 1.0]] }").replace("SIZE", "0.05")
+        consistency = read_summary(self.run_scene(scene))["consistency"]
+        self.assertLess(max(consistency["row_residual"], consistency["column_residual"]), 1e-12)
+
+    def test_a_thin_strip(self):
+        scene = LATTICE.replace("SHAPE", "{ box = [[0.0, 0.0], [1.2, 0.004]] }").replace("SIZE", "0.002")
+        consistency = read_summary(self.run_scene(scene))["consistency"]
+        self.assertLess(max(consistency["row_residual"], consistency["column_residual"]), 1e-12)
 
     def test_a_void_is_remarked(self):
         def rows(void, jitter):

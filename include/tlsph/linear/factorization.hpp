@@ -1,7 +1,8 @@
 #pragma once
 /// \file
 /// Sparse matrices factorised once and solved many times: Cholesky (symmetric positive definite),
-/// LU (square), QR (any shape). This is the only door to SuiteSparse, and nothing of it shows here.
+/// LU (square), QR (least norm). This is the only door to SuiteSparse, and nothing of it shows
+/// here.
 ///
 /// A factorisation is immutable (but for Cholesky::refactorize), movable, and may be shared by
 /// threads: what a solve writes lives in a SolveWorkspace, one for each thread. With a workspace at
@@ -117,30 +118,23 @@ class Lu {
   std::unique_ptr<Impl> impl_;
 };
 
-/// A E = Q R of any matrix (SPQR): the x of least ‖A x − b‖₂, and of these the one of least ‖x‖₂.
-class LeastSquares {
+/// The x of least ‖x‖₂ with A x = b, from Aᵀ E = Q R (SPQR). Backward stable: where the condition κ
+/// of A is so large that A Aᵀ, with κ², is singular to rounding, x still meets its conditions to
+/// rounding of ‖A‖ ‖x‖. A has no more rows than columns, and none depends on the others.
+class LeastNorm {
  public:
-  /// Columns that depend on others to within rounding do not count towards the rank.
-  explicit LeastSquares(const SparseMatrix& A);
-  ~LeastSquares();
-  LeastSquares(LeastSquares&&) noexcept;
-  LeastSquares& operator=(LeastSquares&&) noexcept;
-  LeastSquares(const LeastSquares&) = delete;
-  LeastSquares& operator=(const LeastSquares&) = delete;
+  /// Of Aᵀ.
+  explicit LeastNorm(const SparseMatrix& transposed);
+  ~LeastNorm();
+  LeastNorm(LeastNorm&&) noexcept;
+  LeastNorm& operator=(LeastNorm&&) noexcept;
+  LeastNorm(const LeastNorm&) = delete;
+  LeastNorm& operator=(const LeastNorm&) = delete;
 
-  [[nodiscard]] Index rows() const;
-  [[nodiscard]] Index cols() const;
-  [[nodiscard]] Index rank() const;
-
-  /// x (cols×k) for b (rows×k).
-  template <typename Rhs>
-  [[nodiscard]] Solution<Rhs> solve(const Eigen::MatrixBase<Rhs>& b) const {
-    return solve_columns(b);
-  }
+  [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b);
 
  private:
   struct Impl;
-  [[nodiscard]] Eigen::MatrixXd solve_columns(const Eigen::Ref<const Eigen::MatrixXd>& b) const;
   std::unique_ptr<Impl> impl_;
 };
 

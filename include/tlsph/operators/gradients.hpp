@@ -60,7 +60,8 @@ template <int D>
 /// or 2) over all nodes within `h` [m]: exact for polynomials of that degree. Weights W(r) without
 /// volumes: half volumes at the boundary would undo the adjoint's balance
 /// there (swinging plate, collocated, n = 32: stress error 1.6e-1 with them, 1.7e-2 without).
-/// InputError where a point has too few neighbours.
+/// A point whose nodes within `h` do not determine the polynomial, as in the tip of a wedge, takes
+/// those within up to 2.5 `h`; InputError where they do not either.
 template <int D>
 [[nodiscard]] VectorOperator<D> point_gradient(const AnyKernel& kernel, double h,
                                                const VectorField<D>& points,

@@ -2,6 +2,7 @@
 /// \file
 /// Which nodes lie within the support of which points, found once in the reference configuration.
 
+#include <span>
 #include <vector>
 
 #include "tlsph/core/types.hpp"
@@ -16,6 +17,10 @@ struct Neighbours {
 
   [[nodiscard]] Index rows() const { return static_cast<Index>(start.size()) - 1; }
   [[nodiscard]] Index size() const { return static_cast<Index>(column.size()); }
+  [[nodiscard]] std::span<const int> of(Index row) const {
+    const auto s = static_cast<std::size_t>(row);
+    return {column.data() + start[s], column.data() + start[s + 1]};
+  }
 };
 
 /// Nodes (rows of `nodes`, N×d) nearer than `radius` [m] to each row of `points` (M×d). Nodes on

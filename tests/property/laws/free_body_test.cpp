@@ -8,9 +8,9 @@
 namespace tlsph::property {
 namespace {
 
-constexpr long steps = 10000;
-constexpr long every = 10;
-constexpr double share_of_critical = 0.9;
+constexpr long flight_steps = 10000;
+constexpr long flight_every = 10;
+constexpr double flight_share = 0.9;
 /// `fine`: about 150 particles instead of 30 to 80. A bar always has 41.
 Scene free_scene(const Variant& variant, const char* law, bool fine = false) {
   std::vector<std::string> overrides = as_stiffness(variant.stabiliser());
@@ -89,27 +89,27 @@ template <int D>
 Record record_run(const Discretisation<D>& disc, const VectorField<D>& velocity, int parts = 1) {
   State<D> state = make_state<D>(disc, VectorField<D>::Zero(disc.nodes(), D), velocity);
   evaluate<D>(disc, state);
-  const double dt = share_of_critical * critical_step<D>(disc, state).dt / parts;
+  const double dt = flight_share * critical_step<D>(disc, state).dt / parts;
   Record record;
   Balance<D> first;
   double scale = 0.0;
   double angular_scale = 0.0;
-  march<D>(
-      disc, state, dt, parts * steps, parts * every, [&](const State<D>& now, const Ledger<D>&) {
-        const Balance<D> books = balance<D>(disc, now, dt);
-        if (now.step == 0) first = books;
-        record.energy.push_back(books.kinetic + books.elastic);
-        for (Index s = 0; s < now.H.rows(); ++s)
-          record.largest_strain =
-              std::max(record.largest_strain,
-                       green_lagrange<D>(tensor_at<D>(now.H, s)).cwiseAbs().maxCoeff());
-        scale = std::max(scale, books.momentum_scale);
-        angular_scale = std::max(angular_scale, books.angular_scale);
-        record.momentum_drift =
-            std::max(record.momentum_drift, (books.linear_momentum - first.linear_momentum).norm());
-        record.angular_drift = std::max(record.angular_drift,
-                                        std::abs(books.angular_momentum - first.angular_momentum));
-      });
+  march<D>(disc, state, dt, parts * flight_steps, parts * flight_every,
+           [&](const State<D>& now, const Ledger<D>&) {
+             const Balance<D> books = balance<D>(disc, now, dt);
+             if (now.step == 0) first = books;
+             record.energy.push_back(books.kinetic + books.elastic);
+             for (Index s = 0; s < now.H.rows(); ++s)
+               record.largest_strain =
+                   std::max(record.largest_strain,
+                            green_lagrange<D>(tensor_at<D>(now.H, s)).cwiseAbs().maxCoeff());
+             scale = std::max(scale, books.momentum_scale);
+             angular_scale = std::max(angular_scale, books.angular_scale);
+             record.momentum_drift = std::max(
+                 record.momentum_drift, (books.linear_momentum - first.linear_momentum).norm());
+             record.angular_drift = std::max(
+                 record.angular_drift, std::abs(books.angular_momentum - first.angular_momentum));
+           });
   record.momentum_drift /= scale;
   if (D == 2) record.angular_drift /= angular_scale;
   return record;
@@ -210,13 +210,13 @@ TEST_P(ResolvedFreeBody, SummaryTellsOfTheConservedQuantities) {
   discretised(scene_of(GetParam(), overrides), [&]<int D>(const Discretisation<D>& disc) {
     const auto rest = evaluated<D>(disc, VectorField<D>::Zero(disc.nodes(), D));
     const double end =
-        0.9999 * static_cast<double>(steps) * share_of_critical * critical_step<D>(disc, rest).dt;
+        0.9999 * static_cast<double>(flight_steps) * flight_share * critical_step<D>(disc, rest).dt;
     overrides.push_back("time.end=" + std::to_string(end));
   });
 
   const Summary summary = run(scene_of(GetParam(), overrides), {});
 
-  EXPECT_NEAR(static_cast<double>(summary.steps), static_cast<double>(steps), 10.0);
+  EXPECT_NEAR(static_cast<double>(summary.steps), static_cast<double>(flight_steps), 10.0);
   EXPECT_GT(summary.energy.elastic, 0.0);
   EXPECT_LE(summary.energy.drift_relative, 1e-8);
   EXPECT_LE(summary.linear_momentum_drift, 1e-12);

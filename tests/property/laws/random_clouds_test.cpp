@@ -22,22 +22,8 @@ double step_of(const Discretisation<2>& disc) {
   return critical_step<2>(disc, evaluated<2>(disc, VectorField<2>::Zero(disc.nodes(), 2))).scaled;
 }
 
-/// Builds the cloud. The tip of a sharp wedge may ask for a larger support: one or two spacings
-/// more than the 3.6 of the default are one.
 Discretisation<2> built(const RandomCloud& cloud, const std::string& formulation) {
-  std::vector<std::string> settings = {"stabiliser.kind=none"};
-  for (const char* support : {"4.6", "5.6"}) {
-    try {
-      return build<2>(scene_of(cloud, formulation, settings));
-    } catch (const InputError& error) {
-      const std::string message = error.what();
-      EXPECT_NE(message.find("kernel.support: "), std::string::npos) << message;
-      EXPECT_NE(message.find("choose a larger support"), std::string::npos) << message;
-    }
-    settings.resize(1);
-    settings.push_back(std::string("kernel.support=") + support);
-  }
-  return build<2>(scene_of(cloud, formulation, settings));
+  return build<2>(scene_of(cloud, formulation, {"stabiliser.kind=none"}));
 }
 
 TEST(RandomClouds, BuildWithSmallResidualsAndAFairStep) {

@@ -17,28 +17,29 @@
 namespace tlsph {
 namespace {
 
-constexpr double spacing = 0.1;
+constexpr double node_spacing = 0.1;
 
 Particles<1> bar(std::uint64_t seed) {
-  return jittered<1>(make_lattice<1>(make_interval(0.0, 3.0), spacing, NodePlacement::on_boundary),
-                     0.2, seed);
+  return jittered<1>(
+      make_lattice<1>(make_interval(0.0, 3.0), node_spacing, NodePlacement::on_boundary), 0.2,
+      seed);
 }
 Particles<2> square(std::uint64_t seed) {
   const Shape<2> shape = make_box<2>({0.0, 0.0}, {1.2, 1.0});
-  return jittered<2>(make_lattice<2>(shape, spacing, NodePlacement::on_boundary), 0.2, seed);
+  return jittered<2>(make_lattice<2>(shape, node_spacing, NodePlacement::on_boundary), 0.2, seed);
 }
 Shape<2> ring_shape() {
   return make_difference(make_disc({0.0, 0.0}, 1.0), {make_disc({0.2, 0.1}, 0.3)});
 }
 Particles<2> ring(std::uint64_t seed) {
   const Shape<2> shape = ring_shape();
-  return jittered<2>(fitted(make_lattice<2>(shape, spacing, NodePlacement::on_boundary), shape),
-                     0.2, seed);
+  return jittered<2>(
+      fitted(make_lattice<2>(shape, node_spacing, NodePlacement::on_boundary), shape), 0.2, seed);
 }
 
 template <int D>
 VectorOperator<D> plain(const Particles<D>& body, double support, int order) {
-  return point_gradient<D>(WendlandC2{}, support * spacing, body.X, body.X, order);
+  return point_gradient<D>(WendlandC2{}, support * node_spacing, body.X, body.X, order);
 }
 
 /// f at the nodes that a stress of one constant, or linear, component makes, beside what it should.
@@ -58,7 +59,7 @@ double false_force(const VectorOperator<D>& gradient, const Particles<D>& body, 
     divergence.divergence(P, f);
     worst = std::max(worst, (f - expected).cwiseAbs().maxCoeff());
   }
-  return worst / std::pow(spacing, D - 1);
+  return worst / std::pow(node_spacing, D - 1);
 }
 
 struct Problem {

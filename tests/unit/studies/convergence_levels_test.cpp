@@ -16,7 +16,7 @@ using testing::HasSubstr;
 using testing::ThrowsMessage;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-const double unknown = std::nan("");
+const double not_known = std::nan("");
 
 TEST(SpreadOf, SamplesIsTheBestTheMiddleAndTheWorst) {
   const Spread odd = spread_of({5.0, 1.0, 3.0});
@@ -31,13 +31,13 @@ TEST(SpreadOf, SamplesIsTheBestTheMiddleAndTheWorst) {
 TEST(SpreadOf, TakesAFailureForTheWorstAndLeavesOutWhatIsNoNumber) {
   const Spread third = spread_of({infinite, 1.0, 2.0});
   const Spread half = spread_of({infinite, 1.0});
-  const Spread gaps = spread_of({unknown, 3.0, unknown});
+  const Spread gaps = spread_of({not_known, 3.0, not_known});
 
   EXPECT_THAT((std::vector{third.best, third.median, third.worst}),
               ElementsAre(1.0, 2.0, infinite));
   EXPECT_EQ(half.median, infinite);
   EXPECT_EQ(gaps.median, 3.0);
-  EXPECT_TRUE(std::isnan(spread_of({unknown}).worst));
+  EXPECT_TRUE(std::isnan(spread_of({not_known}).worst));
 }
 
 /// A run of the one series there is, with an error and a value.
@@ -72,7 +72,7 @@ TEST(FindOrders, OfSamplesAreThoseOfTheMediansAndOfTheWorst) {
 }
 
 TEST(FindOrders, PassOverALevelThatFailed) {
-  const std::vector<ConvergenceRow> rows = {row(0.4, 16.0), row(0.2, unknown, 0.0, "blew up"),
+  const std::vector<ConvergenceRow> rows = {row(0.4, 16.0), row(0.2, not_known, 0.0, "blew up"),
                                             row(0.1, 1.0)};
 
   const SeriesOrders found = find_orders(rows, {"velocity"}, ConvergenceMethod::exact);
@@ -99,7 +99,7 @@ TEST(FindOrders, OneFailureSpoilsTheWorstNotTheMedian) {
 // Differences d_k of runs with errors C h²: what is left in the finest is C h².
 TEST(FindOrders, OfDifferencesTellWhatIsLeft) {
   const std::vector<ConvergenceRow> rows = {row(0.4, 7.0 * (0.16 - 0.04)),
-                                            row(0.2, 7.0 * (0.04 - 0.01)), row(0.1, unknown)};
+                                            row(0.2, 7.0 * (0.04 - 0.01)), row(0.1, not_known)};
 
   const SeriesOrders found = find_orders(rows, {"velocity"}, ConvergenceMethod::probes);
 
@@ -108,10 +108,10 @@ TEST(FindOrders, OfDifferencesTellWhatIsLeft) {
 }
 
 TEST(FindLimits, ExtrapolateTheMediansOfTheFinestThree) {
-  std::vector<ConvergenceRow> rows = {row(0.8, unknown, 99.0)};
+  std::vector<ConvergenceRow> rows = {row(0.8, not_known, 99.0)};
   for (const double h : {0.4, 0.2, 0.1})
     for (const double off : {-1.0, 0.0, 1.0})
-      rows.push_back(row(h, unknown, 5.0 - 2.0 * std::pow(h, 1.5) + off * h));
+      rows.push_back(row(h, not_known, 5.0 - 2.0 * std::pow(h, 1.5) + off * h));
 
   const std::vector<ConvergenceValue> values = find_limits(rows, {"tip.displacement_y.peak"});
 
@@ -133,7 +133,7 @@ class FindNoLimit : public testing::TestWithParam<NoLimit> {};
 TEST_P(FindNoLimit, WhereThereIsNothingToExtrapolate) {
   std::vector<ConvergenceRow> rows;
   double h = 0.8;
-  for (const double value : GetParam().values) rows.push_back(row(h /= 2.0, unknown, value));
+  for (const double value : GetParam().values) rows.push_back(row(h /= 2.0, not_known, value));
 
   const std::vector<ConvergenceValue> found = find_limits(rows, {"p.pk1.end"});
 
