@@ -17,9 +17,9 @@
 namespace tlsph {
 namespace {
 
-/// Reciprocal condition below which a moment matrix counts as singular, and the least one of a row
-/// whose radius is chosen here.
-constexpr double singular = 1e-10, well_conditioned = 1e-5;
+/// Reciprocal condition below which a moment matrix counts as singular, and the one that a row
+/// whose radius is chosen here should have.
+constexpr double singular = 1e-10, well_conditioned = 1e-7;
 /// A row that its nodes do not determine takes those of a radius larger by this ratio, and again,
 /// up to so many times the support.
 constexpr double ratio = 1.1, widest = 2.5;
@@ -100,11 +100,12 @@ struct FittedRows {
 template <int D, class Family>
 FittedRows wider_row(const MovingFit<D, Family>& fit, const VectorField<D>& points,
                      const VectorField<D>& X, Index s, double h) {
-  for (double times = ratio; times <= widest; times *= ratio) {
-    FittedRows row{find_neighbours<D>(only<D>(points, s), X, times * h), {}};
-    row.weights.resize(row.near.column.size() * D);
-    if (fit.weights(s, row.near.of(0), times * h, well_conditioned, row.weights.data())) return row;
-  }
+  for (const double least : {well_conditioned, singular})
+    for (double times = ratio; times <= widest; times *= ratio) {
+      FittedRows row{find_neighbours<D>(only<D>(points, s), X, times * h), {}};
+      row.weights.resize(row.near.column.size() * D);
+      if (fit.weights(s, row.near.of(0), times * h, least, row.weights.data())) return row;
+    }
   throw InputError(
       fmt::format("kernel.order: the nodes around ({}) do not determine a polynomial "
                   "of degree {}; choose a thicker body, a finer spacing or a lower "
