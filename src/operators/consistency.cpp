@@ -23,8 +23,8 @@ constexpr double gain = 1e-9;          // of a round; the next one starts from t
 /// Lifts of the diagonal that are tried in turn, shares of its largest entry.
 constexpr std::array lifts = {1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9};
 constexpr int most_refinements = 5;
-constexpr int most_iterations =
-    40;  // of conjugate gradients in each; the last one if they end there
+/// Of conjugate gradients in each; where they end there, no other follows.
+constexpr int most_iterations = 40;
 /// Every entry may change a little, those that are zero too: share of the largest weight.
 constexpr double least_weight = 1e-3;
 
@@ -140,19 +140,22 @@ Eigen::VectorXd least_change(const ConsistencyConstraints<D>& constraints,
     };
     refine<D>(constraints, inverse, dependences, g, freedom, a, delta);
   }
-  if (constraints.residual(g + delta, a).cwiseAbs().maxCoeff() <= good_enough) return delta;
+  Eigen::VectorXd left = constraints.residual(g + delta, a);
+  if (left.cwiseAbs().maxCoeff() <= good_enough) return delta;
   // In a long strip A w Aᵀ has eigenvalues below the rounding of its entries; √w Aᵀ has not.
   stop_point();
-  LeastNorm solver(constraints.root(freedom, pinned));
-  Eigen::VectorXd left = constraints.residual(g + delta, a);
-  for (int round = 0; round < most_refinements; ++round) {
-    stop_point();
-    const Eigen::VectorXd roots = solver.solve(without(left, dependences));
-    const Eigen::VectorXd next = delta + freedom.cwiseSqrt().cwiseProduct(roots.head(g.size()));
-    const Eigen::VectorXd now = constraints.residual(g + next, a);
-    if (!(now.cwiseAbs().maxCoeff() < left.cwiseAbs().maxCoeff())) break;
-    delta = next;
-    left = now;
+  try {
+    LeastNorm solver(constraints.root(freedom, pinned));
+    for (int round = 0; round < most_refinements; ++round) {
+      stop_point();
+      const Eigen::VectorXd roots = solver.solve(without(left, dependences));
+      const Eigen::VectorXd next = delta + freedom.cwiseSqrt().cwiseProduct(roots.head(g.size()));
+      const Eigen::VectorXd now = constraints.residual(g + next, a);
+      if (!(now.cwiseAbs().maxCoeff() < left.cwiseAbs().maxCoeff())) break;
+      delta = next;
+      left = now;
+    }
+  } catch (const NumericalError&) {  // Constraints contradict each other: their residual says so.
   }
   return delta;
 }
