@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <string_view>
 #include <utility>
 
@@ -15,6 +17,19 @@ namespace tlsph {
 namespace {
 
 constexpr std::array<std::string_view, 3> axes = {"x", "y", "z"};
+
+/// The measures at H and P, which are interpolated between points: at the boundary extrapolated,
+/// perhaps to a compression that the law is not made for. Those of the nearest point stand for it
+/// then.
+template <int D>
+StressMeasures<D> measures_at(const Region<D>& region, const State<D>& state, const Tensor<D>& H,
+                              const Tensor<D>& P, Index nearest) {
+  if ((Tensor<D>::Identity() + H).determinant() > 0.0) {
+    const StressMeasures<D> stress = stress_measures<D>(region, H, P);
+    if (stress.cauchy.allFinite() && std::isfinite(stress.von_mises)) return stress;
+  }
+  return stress_measures<D>(region, tensor_at<D>(state.H, nearest), tensor_at<D>(state.P, nearest));
+}
 
 }  // namespace
 
@@ -54,8 +69,9 @@ Probes<D>::Probes(const Discretisation<D>& disc, const std::vector<ProbeRequest<
       throw InputError(request.place, error.what());
     }
     const auto heaviest = std::max_element(probe.points.weight.begin(), probe.points.weight.end());
-    probe.region = region_of<D>(
-        disc, probe.points.node[static_cast<std::size_t>(heaviest - probe.points.weight.begin())]);
+    probe.nearest =
+        probe.points.node[static_cast<std::size_t>(heaviest - probe.points.weight.begin())];
+    probe.region = region_of<D>(disc, probe.nearest);
     for (const std::string& stem : request.quantities) {
       const auto* entry = std::find_if(names.begin(), names.end(),
                                        [&](const auto& pair) { return pair.first == stem; });
@@ -91,7 +107,8 @@ void Probes<D>::sample(const Discretisation<D>& disc, const State<D>& state, dou
       H += probe.points.weight[k] * tensor_at<D>(state.H, probe.points.node[k]);
       P += probe.points.weight[k] * tensor_at<D>(state.P, probe.points.node[k]);
     }
-    const StressMeasures<D> stress = stress_measures<D>(disc.regions[probe.region], H, P);
+    const StressMeasures<D> stress =
+        measures_at<D>(disc.regions[probe.region], state, H, P, probe.nearest);
     const auto put = [&](double number) { row[out++] = number; };
     const auto put_vector = [&](const Vector<D>& vector) {
       for (int i = 0; i < D; ++i) put(vector[i]);

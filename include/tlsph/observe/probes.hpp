@@ -61,6 +61,7 @@ class Probes {
   struct Probe {
     InterpolationRow nodes, points;
     std::size_t region = 0;
+    Index nearest = 0;  // material point
     std::vector<Kind> kinds;
   };
   std::vector<Probe> probes_;

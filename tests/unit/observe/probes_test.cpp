@@ -116,6 +116,24 @@ TEST(Probes, ShowVelocityAtTheTimeOfTheDisplacement) {
   EXPECT_NEAR(row[1], 4.0, 1e-11);
 }
 
+/// From cells of F = 1 and F = 0.1 the end is extrapolated to F < 0.
+TEST(Probes, ShowTheStressOfTheNearestPointBeyondTheRangeOfTheLaw) {
+  const auto disc = test::cells_of<1>(4, LawName::neo_hookean);
+  VectorField<1> u = VectorField<1>::Zero(5, 1);
+  u(4, 0) = -0.9 * disc.spacing;
+  State<1> state = make_state<1>(disc, u, VectorField<1>::Zero(5, 1));
+  evaluate<1>(disc, state);
+  const Vector<1> end = disc.particles.X.row(4).transpose();
+  const Probes<1> probes(disc, {{"p", end, {"deformation_gradient", "cauchy", "von_mises"}}});
+  std::vector<double> row(3);
+
+  probes.sample(disc, state, 1e-5, row);
+
+  EXPECT_LT(row[0], 0.0);
+  EXPECT_NEAR(row[1] / state.P(3, 0), 1.0, 1e-12);
+  EXPECT_TRUE(std::isfinite(row[2]) && row[2] > 0.0) << row[2];
+}
+
 TEST(Probes, RefuseAQuantityThereIsNot) {
   EXPECT_THROW(Probes<1>(test::cells_of<1>(2), {{"p", Vector<1>(0.0), {"temperature"}}}),
                InputError);
