@@ -155,7 +155,8 @@ Eigen::VectorXd least_change(const ConsistencyConstraints<D>& constraints,
       delta = next;
       left = now;
     }
-  } catch (const NumericalError&) {  // Constraints contradict each other: their residual says so.
+  } catch (const NumericalError&) {
+    // Constraints that depend on each other, or too little memory: the residual left decides.
   }
   return delta;
 }
