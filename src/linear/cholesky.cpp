@@ -2,6 +2,7 @@
 
 #include <cassert>
 #include <cstdint>
+#include <new>
 #include <stdexcept>
 #include <utility>
 
@@ -87,14 +88,10 @@ struct Cholesky::Impl {
   }
 
   [[noreturn]] void fail(const SparseMatrix& A) {
-    switch (state.get()->status) {
-      case CHOLMOD_OUT_OF_MEMORY:
-        throw_failure(method, A, "out of memory");
-      case CHOLMOD_TOO_LARGE:
-        throw_failure(method, A, "the factor needs more than 2³¹ entries");
-      default:
-        throw_failure(method, A, fmt::format("status {}", state.get()->status));
-    }
+    const int status = state.get()->status;
+    // A factor of more than 2³¹ entries is too large for the indices.
+    if (status == CHOLMOD_OUT_OF_MEMORY || status == CHOLMOD_TOO_LARGE) throw std::bad_alloc();
+    throw_failure(method, A, fmt::format("status {}", status));
   }
 };
 
@@ -161,6 +158,7 @@ void Cholesky::solve_into(const double* rhs, double* x, SolveWorkspace& workspac
   if (impl_->factor->is_super == 0) restore_shape(scratch.permuted);
   if (cholmod_solve2(CHOLMOD_A, impl_->factor, &b, nullptr, &solution_handle, nullptr,
                      &scratch.permuted, &scratch.supernode, scratch.state.get()) == 0) {
+    if (scratch.state.get()->status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
     throw NumericalError(
         fmt::format("{}: the solve failed with status {}", method, scratch.state.get()->status),
         0.0, -1);

@@ -1,6 +1,6 @@
 #include <SuiteSparseQR.hpp>
 #include <cassert>
-#include <string>
+#include <new>
 
 #include "suitesparse.hpp"
 
@@ -56,11 +56,7 @@ struct LeastNorm::Impl {
     cholmod_sparse view = long_view(by_columns);
     factors =
         SuiteSparseQR_factorize<double>(SPQR_ORDERING_DEFAULT, SPQR_NO_TOL, &view, state.get());
-    if (factors == nullptr)
-      throw_failure(method, transposed,
-                    state.get()->status == CHOLMOD_OUT_OF_MEMORY
-                        ? "out of memory"
-                        : "status " + std::to_string(state.get()->status));
+    if (factors == nullptr) throw std::bad_alloc();
     unknowns = transposed.rows();
     conditions = transposed.cols();
     if (factors->rank < conditions)
@@ -72,8 +68,7 @@ struct LeastNorm::Impl {
 
   /// The columns of what a call of SPQR gave, which is freed.
   Eigen::VectorXd take(cholmod_dense* result) {
-    if (result == nullptr)
-      throw NumericalError(std::string(method) + ": the solve failed, out of memory", 0.0, -1);
+    if (result == nullptr) throw std::bad_alloc();
     Eigen::VectorXd copy = Eigen::Map<const Eigen::VectorXd>(static_cast<const double*>(result->x),
                                                              static_cast<Index>(result->nrow));
     cholmod_l_free_dense(&result, state.get());

@@ -2,6 +2,8 @@
 #include <umfpack.h>
 
 #include <array>
+#include <new>
+#include <string>
 #include <utility>
 
 #include "columns.hpp"
@@ -16,14 +18,9 @@ constexpr auto method = "LU (UMFPACK)";
 using ByColumns = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
 std::string explain(int status) {
-  switch (status) {
-    case UMFPACK_WARNING_singular_matrix:
-      return "it is singular";
-    case UMFPACK_ERROR_out_of_memory:
-      return "out of memory";
-    default:
-      return fmt::format("status {}", status);
-  }
+  if (status == UMFPACK_ERROR_out_of_memory) throw std::bad_alloc();
+  return status == UMFPACK_WARNING_singular_matrix ? "it is singular"
+                                                   : fmt::format("status {}", status);
 }
 
 }  // namespace

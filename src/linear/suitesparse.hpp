@@ -84,7 +84,7 @@ inline cholmod_sparse sparse_view(const SparseMatrix& A) {
 void require_finite(const SparseMatrix& A, const std::string& method);
 void require_square(const SparseMatrix& A, const std::string& method);
 
-/// A failure of the library that is no property of the matrix.
+/// Throws NumericalError: the matrix cannot be factorised, and why.
 [[noreturn]] void throw_failure(const std::string& method, const SparseMatrix& A,
                                 const std::string& what);
 

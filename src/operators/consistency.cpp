@@ -117,7 +117,7 @@ bool factorise(std::optional<Cholesky>& factor, SparseMatrix normal,
       else
         factor.emplace(normal);
       return true;
-    } catch (const NumericalError&) {  // the next lift
+    } catch (const NumericalError&) {  // not definite: the next lift
     }
   }
   return false;
@@ -156,7 +156,7 @@ Eigen::VectorXd least_change(const ConsistencyConstraints<D>& constraints,
       left = now;
     }
   } catch (const NumericalError&) {
-    // Constraints that depend on each other, or too little memory: the residual left decides.
+    // Constraints that depend on each other: the residual left decides.
   }
   return delta;
 }

@@ -3,16 +3,15 @@
 #include <fmt/format.h>
 
 #include <Eigen/LU>
-#include <array>
 #include <cmath>
 #include <map>
+#include <span>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "moving_fit.hpp"
 #include "tlsph/core/error.hpp"
-#include "tlsph/particles/moments.hpp"
 
 namespace tlsph {
 namespace {
@@ -90,47 +89,62 @@ void store(std::vector<double>& weights, Index k, const Vector<D>& value) {
   for (int a = 0; a < D; ++a) weights[static_cast<std::size_t>(k * D + a)] = value[a];
 }
 
-/// The nodes around some points and D weights for each.
-struct FittedRows {
-  Neighbours near;
+/// The nodes around a point and D weights for each.
+struct FittedRow {
+  std::vector<int> nodes;
   std::vector<double> weights;
 };
 
-/// The fit at point s, over no more nodes than a well-conditioned one needs.
+/// The fits at the points `open`, each over no more nodes than a well-conditioned one needs. All
+/// points that are left share the search of a radius.
 template <int D, class Family>
-FittedRows wider_row(const MovingFit<D, Family>& fit, const VectorField<D>& points,
-                     const VectorField<D>& X, Index s, double h) {
+std::map<Index, FittedRow> wider_rows(const MovingFit<D, Family>& fit, const VectorField<D>& points,
+                                      const VectorField<D>& X, std::vector<Index> open, double h) {
+  std::map<Index, FittedRow> rows;
   for (const double least : {well_conditioned, singular})
-    for (double times = ratio; times <= widest; times *= ratio) {
-      FittedRows row{find_neighbours<D>(only<D>(points, s), X, times * h), {}};
-      row.weights.resize(row.near.column.size() * D);
-      if (fit.weights(s, row.near.of(0), times * h, least, row.weights.data())) return row;
+    for (double times = ratio; times <= widest && !open.empty(); times *= ratio) {
+      const Neighbours near = find_neighbours<D>(points(open, Eigen::all), X, times * h);
+      std::vector<Index> left;
+      for (std::size_t k = 0; k < open.size(); ++k) {
+        const std::span<const int> nodes = near.of(static_cast<Index>(k));
+        FittedRow row{{nodes.begin(), nodes.end()}, std::vector<double>(nodes.size() * D)};
+        if (fit.weights(open[k], nodes, times * h, least, row.weights.data()))
+          rows.emplace(open[k], std::move(row));
+        else
+          left.push_back(open[k]);
+      }
+      open = std::move(left);
     }
-  throw InputError(
-      fmt::format("kernel.order: the nodes around ({}) do not determine a polynomial "
-                  "of degree {}; choose a thicker body, a finer spacing or a lower "
-                  "degree",
-                  words_of<D>(points.row(s).transpose()), fit.degree()));
+  if (!open.empty())
+    throw InputError(
+        fmt::format("kernel.order: the nodes around ({}) do not determine a polynomial "
+                    "of degree {}; choose a thicker body, a finer spacing or a lower "
+                    "degree",
+                    words_of<D>(points.row(open.front()).transpose()), fit.degree()));
+  return rows;
 }
 
-/// `rows` with those of `wider` in their places.
+/// The operator of the rows of `near`, those of `wider` in their places.
 template <int D>
-FittedRows merged(const FittedRows& rows, const std::map<Index, FittedRows>& wider) {
-  FittedRows all;
-  all.near.start.push_back(0);
-  for (Index s = 0; s < rows.near.rows(); ++s) {
+VectorOperator<D> merged(Index cols, const Neighbours& near, const std::vector<double>& weights,
+                         const std::map<Index, FittedRow>& wider) {
+  Neighbours pattern;
+  std::vector<double> values;
+  pattern.start.push_back(0);
+  const auto append = [&](std::span<const int> nodes, std::span<const double> of_nodes) {
+    pattern.column.insert(pattern.column.end(), nodes.begin(), nodes.end());
+    values.insert(values.end(), of_nodes.begin(), of_nodes.end());
+    pattern.start.push_back(pattern.size());
+  };
+  for (Index s = 0; s < near.rows(); ++s) {
     const auto found = wider.find(s);
-    const FittedRows& from = found == wider.end() ? rows : found->second;
-    const auto row = static_cast<std::size_t>(found == wider.end() ? s : 0);
-    const auto first = static_cast<std::ptrdiff_t>(from.near.start[row]);
-    const auto last = static_cast<std::ptrdiff_t>(from.near.start[row + 1]);
-    all.near.column.insert(all.near.column.end(), from.near.column.begin() + first,
-                           from.near.column.begin() + last);
-    all.weights.insert(all.weights.end(), from.weights.begin() + D * first,
-                       from.weights.begin() + D * last);
-    all.near.start.push_back(static_cast<Index>(all.near.column.size()));
+    const auto first = static_cast<std::size_t>(near.start[static_cast<std::size_t>(s)] * D);
+    if (found == wider.end())
+      append(near.of(s), std::span(weights).subspan(first, near.of(s).size() * D));
+    else
+      append(found->second.nodes, found->second.weights);
   }
-  return all;
+  return VectorOperator<D>(near.rows(), cols, std::move(pattern), std::move(values));
 }
 
 }  // namespace
@@ -230,18 +244,17 @@ VectorOperator<D> point_gradient(const AnyKernel& kernel, double h, const Vector
   return std::visit(
       [&](const auto& family) {
         const MovingFit<D, std::decay_t<decltype(family)>> fit(family, points, X, order);
-        FittedRows rows{find_neighbours<D>(points, X, h), {}};
-        rows.weights.resize(rows.near.column.size() * D);
-        std::map<Index, FittedRows> wider;
+        Neighbours near = find_neighbours<D>(points, X, h);
+        std::vector<double> weights(near.column.size() * D);
+        std::vector<Index> open;
         for (Index s = 0; s < points.rows(); ++s) {
-          const Index first = rows.near.start[static_cast<std::size_t>(s)];
-          if (fit.weights(s, rows.near.of(s), h, singular, rows.weights.data() + first * D))
-            continue;
-          wider.emplace(s, wider_row<D>(fit, points, X, s, h));
+          const Index first = near.start[static_cast<std::size_t>(s)];
+          if (!fit.weights(s, near.of(s), h, singular, weights.data() + first * D))
+            open.push_back(s);
         }
-        if (!wider.empty()) rows = merged<D>(rows, wider);
-        return VectorOperator<D>(points.rows(), X.rows(), std::move(rows.near),
-                                 std::move(rows.weights));
+        if (!open.empty())
+          return merged<D>(X.rows(), near, weights, wider_rows<D>(fit, points, X, open, h));
+        return VectorOperator<D>(points.rows(), X.rows(), std::move(near), std::move(weights));
       },
       kernel);
 }

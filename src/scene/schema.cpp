@@ -118,7 +118,9 @@ std::vector<Key> all_keys() {
       {"kernel", "support", number, "", "spacings",
        "(2.5; consistent: 3.6, with linear gradients 2.6, in 1D 3.1; stress-point: the nodes of "
        "each cell)",
-       ">= 1", "full radius of the kernel"},
+       ">= 1",
+       "full radius of the kernel; the least-squares fit of a point whose nodes within it do not "
+       "determine its polynomial takes a larger one, up to 2.5 times"},
       {"kernel", "order", integer, "", "", "(1; consistent: that of its rows)", "[1, 2]",
        "degree of the polynomials a least-squares gradient is exact for"},
       {"kernel", "correction", text, "", "", "(least-squares; thesis and mirror: none)",

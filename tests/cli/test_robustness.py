@@ -89,6 +89,18 @@ class Limits(ProgramTest):
             self.assertEqual(self.listing(), ["scene.toml"])
 
 
+    def test_memory_of_factorisations(self):
+        self.write("scene.toml", SHEET.replace("spacing = 0.1", "spacing = 0.02\n[stabiliser]\nkind = \"pair\""))
+
+        for limit in (130, 160, 190):
+            done = self.tlsph("run", "scene.toml", "--set", "formulation=consistent", "--threads", "1",
+                              "--out", "results", env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
+                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit << 20, limit << 20)))
+
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertRegex(done.stderr, r"^scene\.toml:4:11: body\.spacing: out of memory; choose a larger spacing\n$")
+
+
 class Depth(ProgramTest):
     """Keys and values nested deeper than any scene: told, in time and memory that do not grow with them."""
 

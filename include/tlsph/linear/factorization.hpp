@@ -9,7 +9,8 @@
 /// hand a solve takes nothing from the heap, so it may stand inside a time step.
 ///
 /// Every class throws NumericalError (time 0, particle −1) when the matrix cannot be factorised: a
-/// value that is not finite, a singular or indefinite matrix, or one too large for the memory.
+/// value that is not finite, a singular or indefinite matrix. One that is too large for the memory,
+/// or for 32-bit indices, is std::bad_alloc.
 
 #include <Eigen/Core>
 #include <memory>
