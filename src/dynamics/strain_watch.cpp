@@ -11,7 +11,7 @@
 namespace tlsph::sweep {
 namespace {
 
-/// max λ_max(A(H) − A(H₀)) of points of a law without kernels, by Gershgorin's discs.
+/// max λ_max(A(H) − A(H₀)) of points of a law without loops, by Gershgorin's discs.
 template <int D, class Directions, class Stored>
 double stiffening_of(const AnyLaw<D>& law, Index count, const Directions& H, const Stored& before) {
   const auto tangent_at = [&](const auto& field, Index s) {
@@ -215,8 +215,8 @@ template <int D>
 double StrainWatch<D>::stiffening_of_region(Index region, Index count, const Directions& H,
                                             const Stored& before) const {
   const RegionLaw<D>& law = laws_[static_cast<std::size_t>(region)];
-  if (law.any != nullptr) return stiffening_of<D>(*law.any, count, H, before);
-  return law.kernel.stiffening(law.constants, H.data(), before.data(), count);
+  if (law.loops == nullptr) return stiffening_of<D>(law.law, count, H, before);
+  return law.loops->stiffening(law.text(), H.data(), before.data(), count);
 }
 
 template class StrainWatch<1>;

@@ -46,7 +46,9 @@ class Composer {
  public:
   Composer(const Discretisation<D>& disc, const Storage<D>& storage,
            const std::vector<RegionLaw<D>>& laws, Index most_stencils)
-      : storage_(storage), laws_(laws), nodes_(disc.nodes()), most_stencils_(most_stencils) {
+      : storage_(storage), nodes_(disc.nodes()), most_stencils_(most_stencils) {
+    for (const RegionLaw<D>& law : laws)
+      tangents_.push_back(tangent<D>(law.law, Tensor<D>::Zero()));
     const std::vector<int> regions = regions_of_points(disc);
     for (std::size_t s = 0; s < regions.size(); ++s)
       if (s > 0 && regions[s] == regions_.back().stencil)
@@ -120,20 +122,20 @@ class Composer {
   void add_point(const double* d, double scale, Index s, Index q) {
     const StoredRow nodes =
         row_of(storage_.gradient, storage_.gradient_table, run_of(storage_.gradient.runs, s), s);
-    const LawConstants& law =
-        laws_[regions_.empty() ? 0 : static_cast<std::size_t>(run_of(regions_, s).stencil)]
-            .constants;
+    const Tangent<D>& A =
+        tangents_[regions_.empty() ? 0 : static_cast<std::size_t>(run_of(regions_, s).stencil)];
     for (Index k = 0; k < nodes.entries; ++k) {
       const double* g = nodes.weight + k * storage_.gradient.stride;
-      double same = 0.0;
-      for (int a = 0; a < D; ++a) same += law.mu * d[a] * g[a];
-      if (storage_.modes) same += d[D] * g[D];
       Block& block =
           blocks_.try_emplace(nodes.origin + nodes.index[k] - q, Block::Zero()).first->second;
+      const double hourglass = storage_.modes ? d[D] * g[D] : 0.0;
       for (int i = 0; i < D; ++i)
-        for (int j = 0; j < D; ++j)
-          block(i, j) +=
-              scale * (law.lambda * d[i] * g[j] + law.mu * d[j] * g[i] + (i == j ? same : 0.0));
+        for (int j = 0; j < D; ++j) {
+          double sum = i == j ? hourglass : 0.0;
+          for (int a = 0; a < D; ++a)
+            for (int b = 0; b < D; ++b) sum += d[a] * A(i * D + a, j * D + b) * g[b];
+          block(i, j) += scale * sum;
+        }
     }
   }
 
@@ -203,7 +205,7 @@ class Composer {
   }
 
   const Storage<D>& storage_;
-  const std::vector<RegionLaw<D>>& laws_;
+  std::vector<Tangent<D>> tangents_;  // of the regions
   Index nodes_;
   Index most_stencils_;
   std::vector<RowRun> regions_;  // of points, by `stencil`; empty if there is one
@@ -221,7 +223,8 @@ std::optional<Stiffness<D>> stiffness_of(const Discretisation<D>& disc, const St
                                          Index most_stencils) {
   const bool single = storage.gradient_table.weight_single != nullptr ||
                       storage.divergence_table.weight_single != nullptr;
-  const bool known = std::ranges::all_of(laws, [](const auto& law) { return law.any == nullptr; });
+  const bool known =
+      std::ranges::all_of(laws, [](const auto& law) { return law.loops != nullptr; });
   if (!known || !disc.linear() || storage.viscous || single || disc.nodes() == 0)
     return std::nullopt;
   return Composer<D>(disc, storage, laws, most_stencils).compose();

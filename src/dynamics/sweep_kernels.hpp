@@ -11,6 +11,7 @@
 
 #include <cstddef>
 
+#include "tlsph/materials/law_list.hpp"
 #include "tlsph/operators/row_run.hpp"
 
 namespace tlsph::sweep {
@@ -55,12 +56,6 @@ struct BlockTable {
   const int* reach = nullptr;
 };
 
-/// Constants of a law whose kernel is vectorised.
-struct LawConstants {
-  double lambda = 0.0;  ///< reduced where the missing directions are free of stress
-  double mu = 0.0;
-};
-
 /// What makes velocities and places of accelerations; arrays of the whole body.
 struct Motion {
   double kick = 0.0, dt = 0.0;
@@ -71,29 +66,25 @@ struct Motion {
   double body_force[2] = {0.0, 0.0};  ///< acceleration
 };
 
-/// H of `count` points becomes P, in place. False where det F ≤ 0 or a stress is not finite.
-using LawKernel = bool (*)(const LawConstants& constants, double* const* field, Index first,
-                           Index count);
-
 /// Overruns: kernels write up to `overrun` doubles beyond the last row of their output, which must
 /// have room for them, and read as far beyond the inputs that are windows.
 inline constexpr Index overrun = 32;
 
-/// H = G u and P of rows; out holds P and, with modes, their rows. False as above.
-using PointsKernel = bool (*)(const LawConstants& constants, const Table&, Runs, const double* u,
-                              Index size, Window out);
-
-/// max λ_max(∂P/∂F at H − ∂P/∂F at `before`) of `count` points, at most that [Pa]; zero if no
-/// eigenvalue is positive.
-using StiffeningKernel = double (*)(const LawConstants& constants, const double* const* H,
-                                    const float* const* before, Index count);
-
-/// What is made for each law.
-struct LawKernels {
-  LawKernel law = nullptr;
-  PointsKernel points = nullptr;
-  PointsKernel points_and_modes = nullptr;
-  StiffeningKernel stiffening = nullptr;
+/// The inner loops of a law. Each takes the law's text (tlsph/materials/law.hpp) first.
+struct LawLoops {
+  using Points = bool (*)(const void* law, const Table&, Runs, const double* u, Index size,
+                          Window out);
+  /// H of `count` points becomes P, in place. False where det F ≤ 0 or a stress is not finite.
+  bool (*stress)(const void* law, double* const* field, Index first, Index count);
+  /// H = G u and P of rows; out holds P and, with modes, their rows. False as above.
+  Points points, points_and_modes;
+  /// dP = ∂P/∂F : dH of `count` points.
+  void (*tangent)(const void* law, const double* const* H, const double* const* dH,
+                  double* const* dP, Index count);
+  /// max λ_max(∂P/∂F at H − ∂P/∂F at `before`) of `count` points, at most that [Pa]; zero if no
+  /// eigenvalue is positive.
+  double (*stiffening)(const void* law, const double* const* H, const float* const* before,
+                       Index count);
 };
 
 template <int D>
@@ -110,11 +101,7 @@ struct Kernels {
   double (*move_with_modes)(const Table&, Runs, Window P, const Motion&);
   /// out[row] = Σ_k w_k (x[column_k] − x[row]).
   void (*differences)(const Table&, Runs, const double* x, Index size, double* out, Index out_base);
-  LawKernels linear_elastic;
-  LawKernels st_venant_kirchhoff;
-  LawKernels st_venant_kirchhoff_free;  ///< missing directions without stress
-  LawKernels neo_hookean;
-  LawKernels neo_hookean_free;  ///< missing directions without stress; λ ≥ 0
+  LawLoops laws[laws::Listed<D>::size];  ///< in the order of the list
   /// max ‖H − H₀‖² ‖F⁻¹‖² of `count` points, H₀ = `before`.
   double (*deformation)(const double* const* H, const float* const* before, Index count);
   /// `count` rounds of independent fused multiply-adds on registers; their number, and a sum so

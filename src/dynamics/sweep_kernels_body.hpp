@@ -6,7 +6,7 @@
 #include "sweep_blocks.hpp"
 #include "sweep_nodes.hpp"
 #include "sweep_points.hpp"
-#include "sweep_tangents.hpp"
+#include "sweep_strains.hpp"
 
 namespace tlsph::sweep {
 namespace {
@@ -30,13 +30,8 @@ void subtract(Index size, const double* r, double* a) {
   for (; at < size; ++at) a[at] -= r[at];
 }
 
-template <int D, class Law>
-constexpr LawKernels law_kernels() {
-  return {apply_law<D, Law>, points<D, D, Law>, points<D, D + 1, Law>, stiffening<D, Law>};
-}
-
-template <int D>
-constexpr Kernels<D> make_kernels() {
+template <int D, class... Law>
+constexpr Kernels<D> make_kernels(laws::List<Law...>) {
   return {gradient<D, D>,
           gradient<D, D + 1>,
           divergence<D, D>,
@@ -44,16 +39,18 @@ constexpr Kernels<D> make_kernels() {
           move<D, D>,
           move<D, D + 1>,
           differences<D>,
-          law_kernels<D, LinearElastic>(),
-          law_kernels<D, StVenantKirchhoff<false>>(),
-          law_kernels<D, StVenantKirchhoff<true>>(),
-          law_kernels<D, NeoHookean<0>>(),
-          law_kernels<D, NeoHookean<3 - D>>(),
+          {{apply_law<D, Law>, points<D, D, Law>, points<D, D + 1, Law>, apply_tangent<D, Law>,
+            stiffening<D, Law>}...},
           deformation<D>,
           multiply_adds,
           subtract,
           accelerations<D>,
           move_on<D>};
+}
+
+template <int D>
+constexpr Kernels<D> make_kernels() {
+  return make_kernels<D>(laws::Listed<D>());
 }
 
 #undef TLSPH_INLINE

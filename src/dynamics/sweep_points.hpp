@@ -9,17 +9,6 @@
 namespace tlsph::sweep {
 namespace {
 
-/// Which points the lanes of a vector hold (law_of).
-template <int D>
-TLSPH_INLINE Whole point_of_lane() {
-  Whole point{};
-  if constexpr (D == 2)
-    point = point_of_lane_2d;
-  else
-    for (int lane = 0; lane < TLSPH_LANES; ++lane) point[lane] = lane;
-  return point;
-}
-
 /// Strain and stress of the points of `Vectors` vectors, rows of one stencil. `Entries` of them, or
 /// as many as it has for 0. Lanes of points from `rest` on are no points: they are left at rest.
 template <int D, int Directions, int Entries, int Vectors, bool Full, class Law, class Weights>
@@ -91,17 +80,17 @@ TLSPH_INLINE Index points_stencil(const Law& law, const Table& table, const RowR
 /// H = G u and P of the rows of some runs, stabiliser rows beside them as one direction more. False
 /// where a state has no stress.
 template <int D, int Directions, class Law>
-bool points(const LawConstants& constants, const Table& table, Runs runs, const double* u,
-            Index size, Window out) {
+bool points(const void* of, const Table& table, Runs runs, const double* u, Index size,
+            Window out) {
   constexpr int corners = 1 << D;  // of a cell
-  const Law law{all(constants.lambda), all(constants.mu)};
+  const Law law = as<Law>(of);
   Whole good = ~Whole{};
   bool rest_good = true;
   Index waiting = runs.count > 0 ? runs.run[0].first : 0;  // rows from there on have H, but no P
   const auto catch_up = [&](Index row) {
     if (row > waiting)
-      rest_good = apply_law<D, Law>(constants, out.direction, waiting - out.base, row - waiting) &&
-                  rest_good;
+      rest_good =
+          apply_law<D, Law>(of, out.direction, waiting - out.base, row - waiting) && rest_good;
   };
   for (Index r = 0; r < runs.count; ++r) {
     const RowRun& run = runs.run[r];

@@ -1,61 +1,33 @@
 #include "sweep_region_laws.hpp"
 
-#include <type_traits>
 #include <variant>
 
 namespace tlsph::sweep {
-namespace {
-
-template <class Law, template <int, Assumption> class Listed, int D>
-constexpr bool is = std::is_same_v<Law, Listed<D, Assumption::strain>> ||
-                    std::is_same_v<Law, Listed<D, Assumption::stress>>;
 
 template <int D>
-RegionLaw<D> law_of(const AnyLaw<D>& any, const Kernels<D>& kernels) {
+const void* RegionLaw<D>::text() const {
   return std::visit(
-      [&]<class Law>(const Law& law) -> RegionLaw<D> {
-        if constexpr (is<Law, LinearElastic, D>) {
-          return {kernels.linear_elastic, {law.lambda(), law.mu()}};
-        } else if constexpr (std::is_same_v<Law, StVenantKirchhoff<D, Assumption::strain>>) {
-          return {kernels.st_venant_kirchhoff, {law.lambda(), law.mu()}};
-        } else if constexpr (std::is_same_v<Law, StVenantKirchhoff<D, Assumption::stress>>) {
-          return {kernels.st_venant_kirchhoff_free, {law.lambda(), law.mu()}};
-        } else if constexpr (std::is_same_v<Law, NeoHookean<D, Assumption::strain>>) {
-          return {kernels.neo_hookean, {law.lambda(), law.mu()}};
-        } else if constexpr (std::is_same_v<Law, NeoHookean<D, Assumption::stress>>) {
-          if (law.lambda() >= 0.0) return {kernels.neo_hookean_free, {law.lambda(), law.mu()}};
-        }
-        return {{}, {}, &any};
-      },
-      any);
-}
-
-template <int D>
-RegionLaw<D> small_strain_law_of(const AnyLaw<D>& any, const Kernels<D>& kernels) {
-  return std::visit(
-      [&]<class Law>(const Law& law) -> RegionLaw<D> {
-        if constexpr (std::is_same_v<Law, NeoHookean<D, Assumption::stress>>)
-          return {kernels.linear_elastic,
-                  {reduced_lambda({law.lambda(), law.mu()}, D, Assumption::stress), law.mu()}};
-        else if constexpr (is<Law, LinearElastic, D> || is<Law, StVenantKirchhoff, D> ||
-                           is<Law, NeoHookean, D>)
-          return {kernels.linear_elastic, {law.lambda(), law.mu()}};
+      [](const auto& held) -> const void* {
+        if constexpr (requires { held.text(); })
+          return &held.text();
         else
-          return {{}, {}, &any, true};
+          return nullptr;
       },
-      any);
+      law);
 }
-
-}  // namespace
 
 template <int D>
 std::vector<RegionLaw<D>> region_laws(const Discretisation<D>& disc, const Kernels<D>& kernels,
                                       bool linearised) {
-  std::vector<RegionLaw<D>> laws;
-  for (const Region<D>& region : disc.regions)
-    laws.push_back(linearised ? small_strain_law_of<D>(region.law, kernels)
-                              : law_of<D>(region.law, kernels));
-  return laws;
+  std::vector<RegionLaw<D>> result;
+  for (const Region<D>& region : disc.regions) {
+    const std::optional<AnyLaw<D>> linear = linearised ? at_rest<D>(region.law) : std::nullopt;
+    RegionLaw<D> law{linear.value_or(region.law), nullptr, linearised && !linear};
+    const std::size_t index = law.law.index();
+    if (index < std::size(kernels.laws) && !law.linearised) law.loops = &kernels.laws[index];
+    result.push_back(std::move(law));
+  }
+  return result;
 }
 
 template <int D>
@@ -68,6 +40,8 @@ std::vector<int> regions_of_points(const Discretisation<D>& disc) {
   return regions;
 }
 
+template struct RegionLaw<1>;
+template struct RegionLaw<2>;
 template std::vector<RegionLaw<1>> region_laws<1>(const Discretisation<1>&, const Kernels<1>&,
                                                   bool);
 template std::vector<RegionLaw<2>> region_laws<2>(const Discretisation<2>&, const Kernels<2>&,

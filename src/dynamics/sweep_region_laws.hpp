@@ -9,16 +9,18 @@
 
 namespace tlsph::sweep {
 
-/// The law of a region: vectorised kernels where there are some for its type, or point by point.
+/// The law of a region with the inner loops of its type, or without, point by point.
 template <int D>
 struct RegionLaw {
-  LawKernels kernel;
-  LawConstants constants;
-  const AnyLaw<D>* any = nullptr;  ///< where there is no kernel
-  bool linearised = false;         ///< that law at H = 0
+  AnyLaw<D> law;
+  const LawLoops* loops = nullptr;
+  bool linearised = false;  ///< without loops: that law at H = 0
+
+  /// What the loops ask for first.
+  [[nodiscard]] const void* text() const;
 };
 
-/// One a region. The discretisation must outlive them. `linearised`: what every law is at H = 0.
+/// One a region. `linearised`: what every law is at H = 0.
 template <int D>
 [[nodiscard]] std::vector<RegionLaw<D>> region_laws(const Discretisation<D>& discretisation,
                                                     const Kernels<D>& kernels, bool linearised);

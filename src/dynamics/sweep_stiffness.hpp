@@ -46,7 +46,7 @@ struct Stiffness {
   [[nodiscard]] Dependences dependences() const;
 };
 
-/// None where a law is not linear or has no kernel, forces depend on velocities, or rows share so
+/// None where a law is not linear or has no loops, forces depend on velocities, or rows share so
 /// little that there are more kinds of them than `most_stencils`; and where operators see a
 /// translation (rows of G that do not sum to zero). `laws` are those of the regions.
 template <int D>

@@ -12,7 +12,7 @@ std::size_t bytes(Index doubles) {
   return static_cast<std::size_t>(doubles) * sizeof(double);
 }
 
-/// A law without a kernel, point by point.
+/// A law without loops, point by point.
 template <int D>
 bool apply_any(const RegionLaw<D>& region, double* const* field, Index first, Index count) {
   double sum = 0.0;
@@ -31,7 +31,7 @@ bool apply_any(const RegionLaw<D>& region, double* const* field, Index first, In
             for (int a = 0; a < D; ++a) field[a][s * D + i] = P(i, a);
         }
       },
-      *region.any);
+      region.law);
   return std::isfinite(sum);
 }
 
@@ -143,14 +143,14 @@ bool Thread<D>::points(const Task& task, Store& store, const StepData<D>& step) 
     const RegionLaw<D>& law = shared_.laws[segment.region];
     const Index first = segment.first - store.base;
     double* const* field = store.direction.data();
-    if (law.any != nullptr) {
+    if (law.loops == nullptr) {
       if (!observed) strain(own);
       good = apply_any<D>(law, field, first, segment.count) && good;
     } else if (observed) {
-      good = law.kernel.law(law.constants, field, first, segment.count) && good;
+      good = law.loops->stress(law.text(), field, first, segment.count) && good;
     } else {
-      const auto stress = shared_.modes ? law.kernel.points_and_modes : law.kernel.points;
-      good = stress(law.constants, shared_.gradient, own, step.u, size_, store.window()) && good;
+      const auto stress = shared_.modes ? law.loops->points_and_modes : law.loops->points;
+      good = stress(law.text(), shared_.gradient, own, step.u, size_, store.window()) && good;
     }
   }
   if (observed) write_points(task, store, step.observed->P);

@@ -6,76 +6,48 @@
 #include <array>
 #include <variant>
 
-#include "sweep_region_laws.hpp"
 #include "tlsph/core/parallel.hpp"
 #include "tlsph/operators/products.hpp"
 
 namespace tlsph::sweep {
 namespace {
 
-/// One thread's fields of a block.
+/// One thread's fields of a block: the changes of the strains and the modes by direction, then the
+/// strains.
 template <int D>
 class Buffer {
  public:
-  Buffer() : values_(static_cast<std::size_t>((D + 1) * stride), 0.0) {
-    for (std::size_t a = 0; a <= D; ++a)
-      direction_[a] = values_.data() + static_cast<Index>(a) * stride;
+  Buffer() : values_(direction_.size() * stride, 0.0) {
+    for (std::size_t a = 0; a < direction_.size(); ++a) direction_[a] = values_.data() + a * stride;
   }
-  [[nodiscard]] double* const* data() const { return direction_.data(); }
+  [[nodiscard]] double* const* changes() const { return direction_.data(); }
+  [[nodiscard]] double* const* strains() const { return direction_.data() + D + 1; }
 
  private:
-  static constexpr Index stride = block_rows * D + overrun;
+  static constexpr std::size_t stride = block_rows * D + overrun;
+  std::array<double*, 2 * D + 1> direction_{};
   std::vector<double> values_;
-  std::array<double*, D + 1> direction_{};
 };
 
-/// Whether part of the law's tangent is worth keeping from product to product.
-template <class Law, int D>
-constexpr bool keeps_factors = requires(const Law& law, const Tensor<D>& H) {
-  law.plane_tangent(H);
-};
-/// Numbers a point of what is kept.
-constexpr Index kept = 2;
-
+/// The changes of the stresses of `count` points from those of their strains, both by direction.
 template <int D>
-Tensor<D> strain_at(const double* H, Index s) {
-  return Eigen::Map<const Tensor<D>>(H + s * D * D);
-}
-
-template <class Law, int D>
-void apply_tangent(const Law& law, const double* H, [[maybe_unused]] const double* factors,
-                   Index count, const std::array<const double*, D>& change,
+void apply_tangent(const RegionLaw<D>& region, const double* H, Index count, double* const* strain,
+                   const std::array<const double*, D>& change,
                    const std::array<double*, D>& stress) {
-  for (Index s = 0; s < count; ++s) {
-    Tensor<D> dH, dP;
+  for (Index s = 0; s < count; ++s)
     for (int i = 0; i < D; ++i)
-      for (int a = 0; a < D; ++a) dH(i, a) = change[static_cast<std::size_t>(a)][s * D + i];
-    if constexpr (keeps_factors<Law, D>)
-      dP = law.dpk1({factors[s * kept], factors[s * kept + 1]}, strain_at<D>(H, s), dH);
-    else
-      dP = law.dpk1(strain_at<D>(H, s), dH);
-    for (int i = 0; i < D; ++i)
-      for (int a = 0; a < D; ++a) stress[static_cast<std::size_t>(a)][s * D + i] = dP(i, a);
-  }
-}
-
-/// What the law of a region keeps of its points.
-template <int D>
-void keep_factors(const Region<D>& region, const TensorField<D>& H, std::vector<double>& factors) {
+      for (int a = 0; a < D; ++a) strain[a][s * D + i] = H[s * D * D + i * D + a];
+  if (region.loops != nullptr)
+    return region.loops->tangent(region.text(), strain, change.data(), stress.data(), count);
   std::visit(
-      [&]<class Law>(const Law& law) {
-        if constexpr (keeps_factors<Law, D>) {
-          factors.resize(static_cast<std::size_t>(H.rows() * kept));
-          const auto at = [&](Index s) {
-            const auto tangent = law.plane_tangent(tensor_at<D>(H, s));
-            factors[static_cast<std::size_t>(s * kept)] = tangent.turned;
-            factors[static_cast<std::size_t>(s * kept + 1)] = tangent.along;
-          };
-          if (region.points.empty())
-            for_rows(H.rows(), at);
-          else
-            for_rows(static_cast<Index>(region.points.size()),
-                     [&](Index k) { at(region.points[static_cast<std::size_t>(k)]); });
+      [&](const auto& law) {
+        for (Index s = 0; s < count; ++s) {
+          Tensor<D> dH;
+          for (int i = 0; i < D; ++i)
+            for (int a = 0; a < D; ++a) dH(i, a) = change[static_cast<std::size_t>(a)][s * D + i];
+          const Tensor<D> dP = law.dpk1(Eigen::Map<const Tensor<D>>(H + s * D * D), dH);
+          for (int i = 0; i < D; ++i)
+            for (int a = 0; a < D; ++a) stress[static_cast<std::size_t>(a)][s * D + i] = dP(i, a);
         }
       },
       region.law);
@@ -93,8 +65,8 @@ TangentPass<D>::TangentPass(const Discretisation<D>& disc, const State<D>& state
       kernels_(kernels<D>(widest_level())),
       points_(cut(storage_.gradient.runs, disc.points.size())),
       nodes_(cut(storage_.divergence.runs, disc.nodes())),
+      laws_(region_laws<D>(disc, kernels_, false)),
       region_(regions_of_points(disc)) {
-  for (const Region<D>& region : disc.regions) keep_factors<D>(region, state.H, factors_);
   allocate();
 }
 
@@ -128,7 +100,8 @@ auto TangentPass<D>::cut(const std::vector<RowRun>& runs, Index rows) -> Blocks 
 }
 
 template <int D>
-void TangentPass<D>::stresses(Index first, Index last, double* const* window) {
+void TangentPass<D>::stresses(Index first, Index last, double* const* window,
+                              double* const* strain) {
   if (state_ == nullptr) {
     for (std::size_t a = 0; a < D; ++a)
       std::copy_n(window[a], (last - first) * D, stress_[a].data() + first * D);
@@ -144,13 +117,8 @@ void TangentPass<D>::stresses(Index first, Index last, double* const* window) {
       change[a] = window[a] + (s - first) * D;
       stress[a] = stress_[a].data() + s * D;
     }
-    std::visit(
-        [&]<class Law>(const Law& law) {
-          apply_tangent<Law, D>(law, state_->H.data() + s * D * D,
-                                factors_.empty() ? nullptr : factors_.data() + s * kept, end - s,
-                                change, stress);
-        },
-        disc_.regions[static_cast<std::size_t>(region)].law);
+    apply_tangent<D>(laws_[static_cast<std::size_t>(region)], state_->H.data() + s * D * D, end - s,
+                     strain, change, stress);
     s = end;
   }
 }
@@ -166,22 +134,24 @@ void TangentPass<D>::product(const VectorField<D>& x, VectorField<D>& force) {
     const auto p = static_cast<std::size_t>(part);
     const std::size_t count = all.blocks.size();
     for (std::size_t b = count * p / buffers.size(); b < count * (p + 1) / buffers.size(); ++b)
-      visit(all.blocks[b], buffers[p].data());
+      visit(all.blocks[b], buffers[p]);
   };
   static TeamChoice choice;  // one for every pass of the program
   in_parts(
       choice, static_cast<double>(disc_.nodes()), threads_, threads_,
       [&](int part) {
-        share(points_, part, [&](const Block& block, double* const* out) {
+        share(points_, part, [&](const Block& block, const Buffer<D>& buffer) {
+          double* const* out = buffer.changes();
           gradient(storage_.gradient_table, runs_of(points_, block), x.data(), x.size(),
                    {out, block.first});
-          stresses(block.first, block.last, out);
+          stresses(block.first, block.last, out, buffer.strains());
           if (storage_.modes && state_ != nullptr)
             std::copy_n(out[D], (block.last - block.first) * D, stress[D] + block.first * D);
         });
       },
       [&](int part) {
-        share(nodes_, part, [&](const Block& block, double* const* out) {
+        share(nodes_, part, [&](const Block& block, const Buffer<D>& buffer) {
+          double* const* out = buffer.changes();
           divergence(storage_.divergence_table, runs_of(nodes_, block), {stress.data(), 0}, out[0],
                      block.first);
           for (Index q = block.first; q < block.last; ++q)

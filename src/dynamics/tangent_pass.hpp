@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "sweep_region_laws.hpp"
 #include "sweep_storage.hpp"
 #include "tlsph/dynamics/state.hpp"
 
@@ -41,8 +42,9 @@ class TangentPass {
     return {blocks.runs.data() + block.run, block.runs};
   }
   void allocate();
-  /// The change of the stresses of points [first, last), from that of the strains in `window`.
-  void stresses(Index first, Index last, double* const* window);
+  /// The change of the stresses of points [first, last), from that of the strains in `window`;
+  /// `strain` has room for theirs.
+  void stresses(Index first, Index last, double* const* window, double* const* strain);
 
   const Discretisation<D>& disc_;
   const State<D>* state_ = nullptr;  // none: the unit tangent
@@ -50,8 +52,8 @@ class TangentPass {
   const Storage<D>& storage_;
   const Kernels<D>& kernels_;
   Blocks points_, nodes_;
+  std::vector<RegionLaw<D>> laws_;           // of the regions
   std::vector<int> region_;                  // of every point; empty if there is one only
-  std::vector<double> factors_;              // of the tangents, where a law keeps some
   std::vector<std::vector<double>> stress_;  // of all points, a direction each
   int threads_ = 1;
 };

@@ -19,8 +19,8 @@ namespace {
 std::vector<MaterialScene> read_materials(const TableView& view, int dimension) {
   MaterialScene base;
   base.place = view.place();
-  base.law = view.choice<LawKind>("law");
-  base.assumption = view.choice<AssumptionKind>("assumption");
+  base.law = view.choice<LawName>("law");
+  base.assumption = view.choice<Assumption>("assumption");
   base.young = view.number("young");
   base.poisson = view.number("poisson");
   base.density = view.number("density");

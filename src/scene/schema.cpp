@@ -143,9 +143,9 @@ std::vector<Key> all_keys() {
        "lets a body under load creep in modes that its gradients do not see, and keeps the angular "
        "momentum of small motions only"},
 
-      {"material", "law", text, "", "", "\"neo-hookean\"", choices<LawKind>(),
+      {"material", "law", text, "", "", "\"neo-hookean\"", choices<LawName>(),
        "stress from strain"},
-      {"material", "assumption", text, "", "", "\"strain\"", choices<AssumptionKind>(),
+      {"material", "assumption", text, "", "", "\"strain\"", choices<Assumption>(),
        "of the dimensions left out: no strain (1D strain, plane strain) or no stress"},
       {"material", "young", number, "", "Pa", required, "> 0", "Young's modulus E"},
       {"material", "poisson", number, "", "", required, "(-1, 0.5)", "Poisson's ratio"},
@@ -155,7 +155,7 @@ std::vector<Key> all_keys() {
 
       {"region", "box", points | numbers, "", "m", required, "",
        "[[x0, y0], [x1, y1]], in 1D [from, to]: the part"},
-      {"region", "law", text, "", "", "(of [material])", choices<LawKind>(), "stress from strain"},
+      {"region", "law", text, "", "", "(of [material])", choices<LawName>(), "stress from strain"},
       {"region", "young", number, "", "Pa", "(of [material])", "> 0", "Young's modulus E"},
       {"region", "poisson", number, "", "", "(of [material])", "(-1, 0.5)", "Poisson's ratio"},
       {"region", "density", number, "", "kg/m^3", "(of [material])", "> 0", "reference density"},

@@ -9,18 +9,6 @@
 namespace tlsph::parts {
 namespace {
 
-LawName law_name(LawKind kind) {
-  switch (kind) {
-    case LawKind::linear_elastic:
-      return LawName::linear_elastic;
-    case LawKind::st_venant_kirchhoff:
-      return LawName::st_venant_kirchhoff;
-    case LawKind::neo_hookean:
-      break;
-  }
-  return LawName::neo_hookean;
-}
-
 /// Node masses where density jumps between cells: each corner takes its share of its own cells, in
 /// a cloud each end of an edge half of the part that belongs to it.
 template <int D>
@@ -83,12 +71,10 @@ void add_materials(const Scene& scene, Discretisation<D>& disc) {
           material.place,
           "the region holds no material point; move or enlarge its box, or leave it out");
     for (const int s : members[k]) density[s] = material.density;
-    Region<D> region{make_law<D>(law_name(material.law),
-                                 material.assumption == AssumptionKind::strain ? Assumption::strain
-                                                                               : Assumption::stress,
-                                 material.young, material.poisson),
-                     material.density,
-                     {}};
+    Region<D> region{
+        make_law<D>(material.law, material.assumption, material.young, material.poisson),
+        material.density,
+        {}};
     if (scene.materials.size() > 1) region.points = std::move(members[k]);
     disc.regions.push_back(std::move(region));
   }

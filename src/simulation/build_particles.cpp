@@ -29,7 +29,7 @@ constexpr double fill = 30.0, first_doublings = 8.3;
 /// Whether a run keeps the strains of its last estimate and bound of the critical step.
 bool follows_deformation(const Scene& scene) {
   return !scene.time.step && std::ranges::any_of(scene.materials, [](const MaterialScene& m) {
-    return m.law != LawKind::linear_elastic;
+    return m.law != LawName::linear_elastic;
   });
 }
 

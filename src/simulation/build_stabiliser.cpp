@@ -21,7 +21,7 @@ constexpr double auto_viscosity_quadratic = 0.2;  // the same beside gradients o
 
 /// E/(1−ν²) in plane strain, E in plane stress: the modulus of a fibre that bends.
 double bending_modulus(const MaterialScene& material) {
-  return material.assumption == AssumptionKind::stress
+  return material.assumption == Assumption::stress
              ? material.young
              : material.young / (1.0 - material.poisson * material.poisson);
 }

@@ -10,7 +10,7 @@ namespace tlsph {
 
 std::vector<std::string> linear_law(const Scene& scene) {
   const bool linear = std::ranges::all_of(scene.materials, [](const MaterialScene& material) {
-    return material.law == LawKind::linear_elastic;
+    return material.law == LawName::linear_elastic;
   });
   if (linear || scene.exact == ExactKind::uniform_stretch) return {};
   std::vector<std::string> overrides = {"material.law=linear-elastic"};

@@ -45,7 +45,7 @@ std::vector<std::string> initial_overrides(const char* key, const InitialField& 
 
 std::optional<Reduction> to_one_dimension(const Scene& scene) {
   const Box<2>* box = plain_box(scene);
-  if (box == nullptr || scene.materials.front().assumption != AssumptionKind::strain)
+  if (box == nullptr || scene.materials.front().assumption != Assumption::strain)
     return std::nullopt;
   if (!slides(scene, "top") || !slides(scene, "bottom")) return std::nullopt;
   if (!scene.body_force.empty() && scene.body_force[1] != 0.0) return std::nullopt;

@@ -110,9 +110,9 @@ double strain_estimate(const Scene& scene) {
 }
 
 std::string of_law(const Scene& scene) {
-  const LawKind law = scene.materials.front().law;
+  const LawName law = scene.materials.front().law;
   // Gradients from two or four nodes leave the law a part of the step that shows.
-  if (law == LawKind::linear_elastic || scene.kernel.support) return "";
+  if (law == LawName::linear_elastic || scene.kernel.support) return "";
   const double strain = strain_estimate(scene);
   if (!linear_law_serves(scene)) return "";
   const double share = scene.dimension == 1 ? 0.4 : 0.8;  // as runs of the examples show

@@ -22,8 +22,7 @@ std::optional<std::string> locking(const Scene& scene) {
                            scene.formulation == Formulation::stress_point;
   double poisson = 0.0;
   for (const MaterialScene& material : scene.materials)
-    if (material.assumption == AssumptionKind::strain)
-      poisson = std::max(poisson, material.poisson);
+    if (material.assumption == Assumption::strain) poisson = std::max(poisson, material.poisson);
   if (!edge_points || poisson < locks_from) return std::nullopt;
   return fmt::format(
       "stress points on the edges of triangles lock in plane strain as poisson nears 0.5, here it "

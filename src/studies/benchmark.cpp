@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <thread>
+#include <variant>
 
 #include "tlsph/core/cpu_clock.hpp"
 #include "tlsph/dynamics/critical_step.hpp"
@@ -120,20 +122,17 @@ std::array<double, 2> timed(double seconds, const Call& call) {
   return {batch.front(), batch[batches / 2]};
 }
 
-/// Multiply-adds of a law at a point, counted in its kernel (dynamics/sweep_laws.hpp), a division
-/// as four.
-double law_work(const MaterialScene& material, int dimension) {
-  switch (material.law) {
-    case LawKind::linear_elastic:
-      return dimension == 1 ? 1.0 : 6.0;
-    case LawKind::st_venant_kirchhoff:
-      return dimension == 1 ? 4.0 : 24.0;
-    case LawKind::neo_hookean:
-      break;
-  }
-  const double strain = dimension == 1 ? 18.0 : 31.0;  // the logarithm of a small change 10
-  constexpr double newton = 2 * 20.0;  // at small strains, for the transverse stretch
-  return material.assumption == AssumptionKind::stress ? strain + newton : strain;
+/// Multiply-adds of a law at a point, as it counts them itself.
+template <int D>
+double law_work(const AnyLaw<D>& any) {
+  return std::visit(
+      []<class Law>(const Law&) {
+        if constexpr (requires { Law::multiply_adds; })
+          return Law::multiply_adds;
+        else
+          return std::numeric_limits<double>::quiet_NaN();
+      },
+      any);
 }
 
 template <int D>
@@ -171,7 +170,7 @@ BenchmarkRow measure(const Case& entry, const BenchmarkOptions& options,
   const double points = static_cast<double>(disc.points.size()) / particles;
   row.multiply_adds =
       sweep.stiffness_multiply_adds().value_or(2.0 * entries * (D + modes) * D +
-                                               points * law_work(scene.materials.front(), D)) +
+                                               points * law_work<D>(disc.regions.front().law)) +
       2.0 * D;
   const double weights =
       row.storage.bytes / particles *

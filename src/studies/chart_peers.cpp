@@ -25,7 +25,7 @@ std::vector<PeerVariant> others(const PeerVariant& own, const ChartPoint& first,
                                 const ChartVariation& variation) {
   std::vector<std::string> laws = {""};
   std::vector<double> shares = {own.share};
-  const std::string linear(name_of(LawKind::linear_elastic));
+  const std::string linear(name_of(LawName::linear_elastic));
   if (!first.law.empty() && first.law != linear && !variation.linear.empty())
     laws.push_back(linear);
   if (first.step_share && !variation.shares.empty() && variation.own_share < largest_share)

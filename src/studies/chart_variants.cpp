@@ -41,7 +41,7 @@ std::vector<std::string> ChartVariation::overrides(const ChartFamily& family) co
 }
 
 std::string ChartVariation::law_of(const ChartFamily& family) const {
-  return family.linear ? std::string(name_of(LawKind::linear_elastic)) : law;
+  return family.linear ? std::string(name_of(LawName::linear_elastic)) : law;
 }
 
 ChartVariation chart_variation(const Scene& scene) {

@@ -1,31 +1,38 @@
 #pragma once
 /// \file
-/// Every law, listed once. Visit outside the loop:
+/// Whichever law it is. Visit outside the loop:
 ///
 ///     std::visit([&](const auto& law) { for (…) P = law.pk1(H); }, any_law);
 ///
-/// A new law is one struct, its two lines here, one line in the maker and one entry in the typed
-/// tests. A caller's own law needs none of them: `GivenLaw` holds it.
+/// The laws are listed in law_list.hpp. A caller's own law is not: `GivenLaw` holds it.
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
 
 #include "tlsph/materials/given_law.hpp"
-#include "tlsph/materials/linear_elastic.hpp"
-#include "tlsph/materials/neo_hookean.hpp"
-#include "tlsph/materials/st_venant_kirchhoff.hpp"
+#include "tlsph/materials/law_list.hpp"
 
 namespace tlsph {
 
-template <int D>
-using AnyLaw =
-    std::variant<LinearElastic<D, Assumption::strain>, LinearElastic<D, Assumption::stress>,
-                 StVenantKirchhoff<D, Assumption::strain>, StVenantKirchhoff<D, Assumption::stress>,
-                 NeoHookean<D, Assumption::strain>, NeoHookean<D, Assumption::stress>,
-                 GivenLaw<D, false>, GivenLaw<D, true>>;
+template <int D, Assumption A = Assumption::strain>
+using LinearElastic = Law<laws::LinearElastic<D, A>>;
+template <int D, Assumption A = Assumption::strain>
+using StVenantKirchhoff = Law<laws::StVenantKirchhoff<D, A>>;
+template <int D, Assumption A = Assumption::strain>
+using NeoHookean = Law<laws::NeoHookean<D, A>>;
 
-enum class LawName { linear_elastic, st_venant_kirchhoff, neo_hookean };
+namespace laws {
+
+template <int D, class... Text>
+std::variant<Law<Text>..., GivenLaw<D, false>, GivenLaw<D, true>> any_of(List<Text...>);
+
+}  // namespace laws
+
+/// The listed laws in their order, then those of a caller.
+template <int D>
+using AnyLaw = decltype(laws::any_of<D>(laws::Listed<D>()));
 
 /// The law of that name with Young's modulus [Pa] and Poisson's ratio. Throws InputError unless
 /// young > 0 and −1 < poisson < 1/2.
@@ -36,21 +43,43 @@ template <int D>
 
 /// Ψ [J/m³].
 template <int D>
-[[nodiscard]] double energy(const AnyLaw<D>& law, const Tensor<D>& H);
+[[nodiscard]] double energy(const AnyLaw<D>& any, const Tensor<D>& H) {
+  return std::visit([&](const auto& law) { return law.energy(H); }, any);
+}
 /// P [Pa].
 template <int D>
-[[nodiscard]] Tensor<D> pk1(const AnyLaw<D>& law, const Tensor<D>& H);
+[[nodiscard]] Tensor<D> pk1(const AnyLaw<D>& any, const Tensor<D>& H) {
+  return std::visit([&](const auto& law) { return law.pk1(H); }, any);
+}
 /// ∂P/∂F [Pa].
 template <int D>
-[[nodiscard]] Tangent<D> tangent(const AnyLaw<D>& law, const Tensor<D>& H);
+[[nodiscard]] Tangent<D> tangent(const AnyLaw<D>& any, const Tensor<D>& H) {
+  return std::visit([&](const auto& law) { return law.tangent(H); }, any);
+}
 /// True for laws that are linear in H, for which det F has no meaning.
 template <int D>
-[[nodiscard]] bool small_strain(const AnyLaw<D>& law);
+[[nodiscard]] bool small_strain(const AnyLaw<D>& any) {
+  return std::visit([](const auto& law) { return law.small_strain; }, any);
+}
 /// How far H lies inside the law's range: positive inside, zero, negative or NaN outside.
 template <int D>
-[[nodiscard]] double margin(const AnyLaw<D>& law, const Tensor<D>& H);
+[[nodiscard]] double margin(const AnyLaw<D>& any, const Tensor<D>& H) {
+  return std::visit([&](const auto& law) { return law.margin(H); }, any);
+}
 /// The range in words, for messages: "det F > 0", and what else the law asks for.
 template <int D>
-[[nodiscard]] std::string range(const AnyLaw<D>& law);
+[[nodiscard]] std::string range(const AnyLaw<D>& any);
+/// The law of small strains, where it is a listed one.
+template <int D>
+[[nodiscard]] std::optional<AnyLaw<D>> at_rest(const AnyLaw<D>& any) {
+  return std::visit(
+      [](const auto& law) -> std::optional<AnyLaw<D>> {
+        if constexpr (requires { law.at_rest(); })
+          return AnyLaw<D>(Law(law.at_rest()));
+        else
+          return std::nullopt;
+      },
+      any);
+}
 
 }  // namespace tlsph

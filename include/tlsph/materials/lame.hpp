@@ -2,9 +2,11 @@
 /// \file
 /// Elastic constants of an isotropic body.
 
-#include "tlsph/materials/law.hpp"
-
 namespace tlsph {
+
+/// The kinematic assumption behind the missing dimensions: no strain there (1D strain, plane
+/// strain) or no stress there (1D stress, plane stress).
+enum class Assumption { strain, stress };
 
 /// Lamé parameters [Pa].
 struct Lame {

@@ -1,17 +1,21 @@
 #pragma once
 /// \file
-/// Elastic laws. A law is a small struct of parameters with pure functions of the displacement
+/// Elastic laws. A law is a small struct of constants with pure functions of the displacement
 /// gradient H = ∂u/∂X (so F = I + H; passing H keeps full precision at strains of 1e-9): energy
 /// density Ψ [J/m³], first Piola–Kirchhoff stress P = ∂Ψ/∂F [Pa], tangent A = ∂P/∂F [Pa] and its
 /// action on a change of H. All of them see the D components in the model; what happens in the 3 −
 /// D missing directions is the law's own affair and comes out as `transverse_stretch` and
 /// `transverse_stress`.
 ///
+/// The laws of this room are texts in the namespace `laws`, templates of the number type
+/// (numbers.hpp): `Law<Text>` makes of one what is said above, and a sweep its inner loops.
+///
 /// Page of the room:
 ///   law.hpp                                          what a law is
-///   linear_elastic, st_venant_kirchhoff, neo_hookean the laws
+///   numbers.hpp, dual.hpp, kinematics.hpp            what a text is written in
+///   linear_elastic, st_venant_kirchhoff, neo_hookean the texts
+///   law_list.hpp, any_law.hpp                        the list of them, and the maker
 ///   given_law.hpp                                    a law of the caller's own
-///   any_law.hpp                                      the list of them, and the maker
 ///   lame.hpp, waves.hpp                              elastic constants, wave speeds, hyperbolicity
 ///   stress.hpp                                       Cauchy stress, pressure, von Mises
 ///   uniaxial.hpp                                     the inverse P⁻¹(t̄)
@@ -25,12 +29,9 @@
 #include <string_view>
 
 #include "tlsph/core/types.hpp"
+#include "tlsph/materials/dual.hpp"
 
 namespace tlsph {
-
-/// The kinematic assumption behind the missing dimensions: no strain there (1D strain, plane
-/// strain) or no stress there (1D stress, plane stress).
-enum class Assumption { strain, stress };
 
 /// A_(ia)(jb) = ∂P_ia/∂F_jb, rows and columns numbered i*D + a.
 template <int D>
@@ -49,19 +50,58 @@ concept ElasticLaw = requires(const L& law, const Tensor<D>& H) {
   { law.margin(H) } -> std::same_as<double>;              // positive inside the law's range
 };
 
-/// The tangent assembled from its action, column (j, b) being the answer to a unit change of F_jb.
-template <int D, class Law>
-[[nodiscard]] Tangent<D> tangent_from_action(const Law& law, const Tensor<D>& H) {
-  Tangent<D> A;
-  for (int j = 0; j < D; ++j)
-    for (int b = 0; b < D; ++b) {
-      Tensor<D> unit = Tensor<D>::Zero();
-      unit(j, b) = 1.0;
-      const Tensor<D> column = law.dpk1(H, unit);
-      for (int i = 0; i < D; ++i)
-        for (int a = 0; a < D; ++a) A(i * D + a, j * D + b) = column(i, a);
-    }
-  return A;
-}
+/// A law from its text, with tensors for components. A text has, beside its constants,
+///
+///     dimension, name, small_strain
+///     R energy(TensorOf<D, R> H), TensorOf<D, R> stress(H, Mask<R>& good)       for any R
+///     double transverse_stretch(H), transverse_stress(H), margin(H)
+///
+/// where `good` is lost outside the law's range, and may have what any_law.hpp and the sweep ask
+/// for: `range` in words, `at_rest()`, the linear law of small strains, and `multiply_adds`, the
+/// work of `stress` in an inner loop, a division as four.
+template <class Text>
+class Law : public Text {
+ public:
+  static constexpr int D = Text::dimension;
+  using Text::Text;
+  explicit Law(const Text& text) : Text(text) {}
+
+  [[nodiscard]] double energy(const Tensor<D>& H) const { return Text::energy(components(H)); }
+  [[nodiscard]] Tensor<D> pk1(const Tensor<D>& H) const {
+    bool good = true;
+    return tensor(Text::stress(components(H), good));
+  }
+  [[nodiscard]] Tensor<D> dpk1(const Tensor<D>& H, const Tensor<D>& dH) const {
+    return tensor(action_of<D>(text(), components(H), components(dH)));
+  }
+  [[nodiscard]] Tangent<D> tangent(const Tensor<D>& H) const {
+    const auto A = tangent_of<D>(text(), components(H));
+    return Tangent<D>::NullaryExpr([&](Index row, Index column) {
+      return A(static_cast<int>(row), static_cast<int>(column));
+    });
+  }
+  [[nodiscard]] double transverse_stretch(const Tensor<D>& H) const {
+    return Text::transverse_stretch(components(H));
+  }
+  [[nodiscard]] double transverse_stress(const Tensor<D>& H) const {
+    return Text::transverse_stress(components(H));
+  }
+  [[nodiscard]] double margin(const Tensor<D>& H) const { return Text::margin(components(H)); }
+  [[nodiscard]] const Text& text() const { return *this; }
+
+ private:
+  static TensorOf<D, double> components(const Tensor<D>& H) {
+    TensorOf<D, double> result;
+    for (int i = 0; i < D; ++i)
+      for (int a = 0; a < D; ++a) result(i, a) = H(i, a);
+    return result;
+  }
+  static Tensor<D> tensor(const TensorOf<D, double>& P) {
+    Tensor<D> result;
+    for (int i = 0; i < D; ++i)
+      for (int a = 0; a < D; ++a) result(i, a) = P(i, a);
+    return result;
+  }
+};
 
 }  // namespace tlsph

@@ -3,198 +3,199 @@
 /// Compressible Neo-Hookean, (3.62)–(3.64) of the thesis:
 ///
 ///     Ψ = μ/2 (tr C − 3) − μ ln J + λ/2 (ln J)²
-///     P = μ (F − F⁻ᵀ) + λ ln J F⁻ᵀ
+///     P = μ (F − F⁻ᵀ) + p F⁻ᵀ,  p = λ ln J
 ///
-/// with the three-dimensional C and J. Where the missing directions are free of stress, their
-/// common stretch s solves P_33 = 0, that is μ(s² − 1) + λ ln J = 0, pointwise. Every function
-/// returns NaN for det F ≤ 0.
+/// with the three-dimensional C and J. Where n missing directions are free of stress, their common
+/// stretch s solves P_33 = 0, that is μ(s² − 1) + λ ln J = 0, pointwise: p = −μ(s² − 1), which is
+/// λ ln J without its cancellation at large λ. Every function returns NaN for det F ≤ 0.
 
-#include <cmath>
 #include <limits>
 
-#include "tlsph/materials/kinematics.hpp"
-#include "tlsph/materials/lame.hpp"
+#include "tlsph/materials/dual.hpp"
+#include "tlsph/materials/linear_elastic.hpp"
 
-namespace tlsph {
+namespace tlsph::laws {
 
-template <int D, Assumption A = Assumption::strain>
+template <int D, Assumption A>
 class NeoHookean {
  public:
+  static constexpr int dimension = D;
   static constexpr std::string_view name = "neo-hookean";
   static constexpr bool small_strain = false;
+  /// The logarithm of a small change 10; two steps to the transverse stretch at small strains.
+  static constexpr double multiply_adds =
+      (D == 1 ? 18.0 : 31.0) + (A == Assumption::stress ? 2 * 20.0 : 0.0);
+  static constexpr std::string_view range =
+      A == Assumption::strain
+          ? "det F > 0"
+          : "det F > 0 and, for a negative Poisson's ratio, a transverse stretch "
+            "free of stress";
 
   explicit NeoHookean(const Lame& constants) : lambda_(constants.lambda), mu_(constants.mu) {}
 
   /// With e = J − 1, (tr C − D)/2 − ln J = H:H/2 − (e − tr H) − (ln J − e), each bracket of second
-  /// order, so a strain of 1e-7 keeps its energy to round-off.
-  [[nodiscard]] double energy(const Tensor<D>& H) const {
-    const double e = volume_change<D>(H);
-    const Volume volume = volume_at(log_volume(e));
-    const double shear = distortion(H) - log1p_minus(e);
-    // (s² − 1)/2 − ln s for each free direction, from x = s² − 1
-    const double transverse = -0.5 * log1p_minus(volume.transverse_square_change);
-    return mu_ * (shear + free_directions * transverse) + 0.5 * volume.pressure * volume.log;
+  /// order, so a strain of 1e-7 keeps its energy to round-off; likewise (s² − 1)/2 − ln s for each
+  /// free direction, from c = s² − 1.
+  template <class R>
+  [[nodiscard]] R energy(const TensorOf<D, R>& H) const {
+    Mask<R> good{};
+    R inverse;
+    const R e = volume_change<D>(H);
+    R log = Numbers<R>::log_and_inverse(e, inverse, good);
+    R shear = distortion(H) - Numbers<R>::log_minus(e);
+    if constexpr (n == 0) return mu_ * shear + 0.5 * lambda_ * log * log;
+    const R c = square_change(log, good);
+    shear = shear - 0.5 * n * Numbers<R>::log_minus(c);
+    log = log + 0.5 * n * Numbers<R>::log_and_inverse(c, inverse, good);
+    return mu_ * shear - 0.5 * mu_ * c * log;
   }
 
-  /// μ (F − F⁻ᵀ) = μ (e F + F − cof F)/J; one logarithm and one division in strain. Component by
-  /// component, because this is the innermost loop: fixed-size matrix expressions go through memory
-  /// here and take twice as long.
-  [[nodiscard]] Tensor<D> pk1(const Tensor<D>& H) const {
-    const double e = volume_change<D>(H);
-    const double inverse = 1 / (1 + e);
-    const double pressure = volume_at(log_volume(e)).pressure;
-    const Tensor<D> symmetric = deformation_minus_cofactor<D>(H);
-    Tensor<D> P;
+  /// μ (F − F⁻ᵀ) = μ (e F + F − cof F)/J; one logarithm and one division in strain.
+  template <class R>
+  [[nodiscard]] [[gnu::always_inline]] TensorOf<D, R> stress(const TensorOf<D, R>& H,
+                                                             Mask<R>& good) const {
+    const R e = volume_change<D>(H);
+    R inverse;
+    const R log = Numbers<R>::log_and_inverse(e, inverse, good);
+    const R normal = pressure(log, good) * inverse;
+    const R shear = mu_ * inverse;
+    const R dilation = shear * e;
+    const TensorOf<D, R> F = deformation_gradient<D>(H);
+    const TensorOf<D, R> cof = cofactor<D>(F);
+    const TensorOf<D, R> difference = deformation_minus_cofactor<D>(H);
+    TensorOf<D, R> P;
     for (int i = 0; i < D; ++i)
-      for (int a = 0; a < D; ++a) {
-        const double F = H(i, a) + (i == a ? 1.0 : 0.0);
-        const double cof = F - symmetric(i, a);
-        P(i, a) = (mu_ * (e * F + symmetric(i, a)) + pressure * cof) * inverse;
-      }
+      for (int a = 0; a < D; ++a)
+        P(i, a) = dilation * F(i, a) + shear * difference(i, a) + normal * cof(i, a);
     return P;
   }
 
-  /// dP = μ dH + (μ − p) F⁻ᵀ dHᵀ F⁻ᵀ + p' (F⁻ᵀ : dH) F⁻ᵀ, p = λ ln J and p' its derivative to ln J
-  /// in the model's directions, the free ones condensed out.
-  [[nodiscard]] Tensor<D> dpk1(const Tensor<D>& H, const Tensor<D>& dH) const {
-    if constexpr (D == 2) return dpk1(plane_tangent(H), H, dH);
-    const double e = volume_change<D>(H);
-    const Volume volume = volume_at(log_volume(e));
-    const Tensor<D> inverse = cofactor<D>(deformation_gradient<D>(H)) * (1 / (1 + e));  // F⁻ᵀ
-    return mu_ * dH + (mu_ - volume.pressure) * (inverse * dH.transpose() * inverse) +
-           volume.stiffness * inverse.cwiseProduct(dH).sum() * inverse;
-  }
-
-  /// What of `dpk1` in the plane takes a logarithm and a division: (μ − p)/J and (μ − p + p')/J².
-  struct PlaneTangent {
-    double turned, along;
-  };
-  [[nodiscard]] PlaneTangent plane_tangent(const Tensor<D>& H) const requires(D == 2) {
-    const double e = volume_change<D>(H);
-    const double inverse = 1 / (1 + e);
-    const Volume volume = volume_at(log_volume(e));
-    const double excess = mu_ - volume.pressure;
-    return {excess * inverse, (excess + volume.stiffness) * inverse * inverse};
-  }
-
-  /// In the plane the cofactor is linear, so that with c = cof F = J F⁻ᵀ
-  /// dP = μ dH − (μ − p)/J cof dH + (μ − p + p')/J² (c : dH) c. Component by component, as `pk1`.
-  [[nodiscard]] Tensor<D> dpk1(const PlaneTangent& at, const Tensor<D>& H,
-                               const Tensor<D>& dH) const requires(D == 2) {
-    const double c[4] = {1 + H(1, 1), -H(1, 0), -H(0, 1), 1 + H(0, 0)};
-    const double along =
-        at.along * (c[0] * dH(0, 0) + c[1] * dH(0, 1) + c[2] * dH(1, 0) + c[3] * dH(1, 1));
-    Tensor<D> dP;
-    dP(0, 0) = mu_ * dH(0, 0) - at.turned * dH(1, 1) + along * c[0];
-    dP(0, 1) = mu_ * dH(0, 1) + at.turned * dH(1, 0) + along * c[1];
-    dP(1, 0) = mu_ * dH(1, 0) + at.turned * dH(0, 1) + along * c[2];
-    dP(1, 1) = mu_ * dH(1, 1) - at.turned * dH(0, 0) + along * c[3];
-    return dP;
-  }
-
-  /// The matrix of `dpk1`, for the price of one of its columns.
-  [[nodiscard]] Tangent<D> tangent(const Tensor<D>& H) const {
-    const double e = volume_change<D>(H);
-    const Volume volume = volume_at(log_volume(e));
-    const Tensor<D> inverse = cofactor<D>(deformation_gradient<D>(H)) * (1 / (1 + e));  // F⁻ᵀ
-    Tangent<D> result;
-    for (int i = 0; i < D; ++i)
-      for (int a = 0; a < D; ++a)
-        for (int j = 0; j < D; ++j)
-          for (int b = 0; b < D; ++b)
-            result(i * D + a, j * D + b) = (i == j && a == b ? mu_ : 0.0) +
-                                           (mu_ - volume.pressure) * inverse(i, b) * inverse(j, a) +
-                                           volume.stiffness * inverse(i, a) * inverse(j, b);
+  /// μ δ_ij δ_ab + (μ − p) F⁻ᵀ_ib F⁻ᵀ_ja + p' F⁻ᵀ_ia F⁻ᵀ_jb with p' = dp/d(ln J) in the model's
+  /// directions, the free ones condensed out.
+  template <class R>
+  [[nodiscard]] [[gnu::always_inline]] TensorOf<D * D, R> tangent(const TensorOf<D, R>& H) const {
+    Mask<R> good{};
+    R inverse, rate = Numbers<R>::all(lambda_);
+    const R log = Numbers<R>::log_and_inverse(volume_change<D>(H), inverse, good);
+    R excess = mu_ - lambda_ * log;
+    if constexpr (n > 0) {
+      const R c = square_change(log, good);
+      excess = mu_ + mu_ * c;
+      rate = -mu_ * slope_of_change(c);
+    }
+    const R square = inverse * inverse;
+    const R turned = excess * square, along = rate * square;
+    const TensorOf<D, R> cof = cofactor<D>(deformation_gradient<D>(H));
+    TensorOf<D * D, R> result;
+    for (int row = 0; row < D * D; ++row)
+      for (int column = 0; column < D * D; ++column) {
+        const int i = row / D, a = row % D, j = column / D, b = column % D;
+        const R sum = turned * cof(i, b) * cof(j, a) + along * cof(i, a) * cof(j, b);
+        result(row, column) = row == column ? mu_ + sum : sum;
+      }
     return result;
   }
 
-  /// 1, or the stretch s that frees the missing directions of stress.
-  [[nodiscard]] double transverse_stretch(const Tensor<D>& H) const {
-    return std::exp(volume_at(log_volume(volume_change<D>(H))).transverse_log);
+  /// 1, or the stretch s that frees the missing directions of stress. Where s² is small it comes
+  /// from λ ln J = p: 1 + c would have lost its digits.
+  [[nodiscard]] double transverse_stretch(const TensorOf<D, double>& H) const {
+    if constexpr (n == 0) return 1.0;
+    bool good = true;
+    const double log = log_volume(volume_change<D>(H));
+    const double c = square_change(log, good);
+    return c < -0.5 ? std::exp((-mu_ * c / lambda_ - log) / n) : std::sqrt(1 + c);
   }
 
   /// Cauchy σ_33 = λ ln J / J (with F_33 = 1), or zero.
-  [[nodiscard]] double transverse_stress(const Tensor<D>& H) const {
-    if constexpr (A == Assumption::stress) return 0.0;
+  [[nodiscard]] double transverse_stress(const TensorOf<D, double>& H) const {
+    if (A == Assumption::stress) return 0.0;
     const double e = volume_change<D>(H);
     return lambda_ * log_volume(e) / (1 + e);
   }
 
   /// det F; NaN where it is positive and the missing directions cannot be freed of stress, which
   /// happens for λ < 0 only.
-  [[nodiscard]] double margin(const Tensor<D>& H) const {
+  [[nodiscard]] double margin(const TensorOf<D, double>& H) const {
     const double J = 1 + volume_change<D>(H);
-    if (free_directions == 0 || lambda_ >= 0 || !(J > 0)) return J;
+    if (n == 0 || lambda_ >= 0 || !(J > 0)) return J;
     return J + 0 * transverse_stretch(H);
   }
 
-  /// λ of the three-dimensional law [Pa].
-  [[nodiscard]] double lambda() const { return lambda_; }
-  /// μ [Pa].
-  [[nodiscard]] double mu() const { return mu_; }
+  /// The law of small strains.
+  [[nodiscard]] LinearElastic<D, A> at_rest() const { return LinearElastic<D, A>({lambda_, mu_}); }
 
  private:
-  static constexpr int free_directions = A == Assumption::stress ? 3 - D : 0;
-
-  /// What the volume does, given ln J of the model's directions.
-  struct Volume {
-    double log;                       ///< ln J of the three-dimensional body
-    double pressure;                  ///< p = λ ln J [Pa]
-    double stiffness;                 ///< dp/d(ln J of the model's directions) [Pa]
-    double transverse_log;            ///< ln s
-    double transverse_square_change;  ///< s² − 1
-  };
-
-  [[nodiscard]] Volume volume_at(double log_model) const {
-    if constexpr (free_directions == 0)
-      return {log_model, lambda_ * log_model, lambda_, 0.0, 0.0};
-    else
-      return free_volume(log_model);
-  }
-
-  /// Solves f(y) = μ(e²ʸ − 1) + λ(ln J_model + n y) = 0 for y = ln s by Newton. f is convex and
-  /// grows at y = 0, so the step from there lands on or right of the root of that branch and the
-  /// rest fall to it monotonically. For λ < 0 the branch ends where f stops growing: without a root
-  /// on it, NaN.
-  [[nodiscard]] Volume free_volume(double log_model) const {
-    constexpr int n = free_directions;
-    double y = -lambda_ * log_model / (2 * mu_ + n * lambda_);
-    for (int iteration = 0; iteration < 60; ++iteration) {
-      const double change = std::expm1(2 * y);
-      const double slope = 2 * mu_ * (1 + change) + n * lambda_;
-      const double step = (mu_ * change + lambda_ * (log_model + n * y)) / slope;
-      if (!(slope > 0)) break;
-      y -= step;
-      // one more step would be below round-off
-      if (std::abs(step) <= 1e-10 * std::abs(y)) return free_volume(log_model, y);
-    }
-    return free_volume(log_model, std::numeric_limits<double>::quiet_NaN());
-  }
-
-  [[nodiscard]] Volume free_volume(double log_model, double y) const {
-    constexpr int n = free_directions;
-    const double change = std::expm1(2 * y);
-    const double shear = 2 * mu_ * (1 + change);
-    // p = −μ(s² − 1) is the same as λ ln J without its cancellation at large λ
-    return {log_model + n * y, -mu_ * change, lambda_ * shear / (shear + n * lambda_), y, change};
-  }
+  static constexpr int n = A == Assumption::stress ? 3 - D : 0;
 
   /// H:H/2 − (J − 1 − tr H).
-  [[nodiscard]] static double distortion(const Tensor<D>& H) {
+  template <class R>
+  [[nodiscard]] static R distortion(const TensorOf<D, R>& H) {
     if constexpr (D == 2) {
-      const double stretch = H(0, 0) - H(1, 1);
-      const double shear = H(0, 1) + H(1, 0);
+      const R stretch = H(0, 0) - H(1, 1);
+      const R shear = H(0, 1) + H(1, 0);
       return 0.5 * (stretch * stretch + shear * shear);
     } else {
-      return 0.5 * H.squaredNorm() - nonlinear_volume_change<D>(H);
+      R sum = 0.5 * H(0, 0) * H(0, 0);
+      for (int k = 1; k < D * D; ++k) sum = sum + 0.5 * H(k / D, k % D) * H(k / D, k % D);
+      return sum - nonlinear_volume_change<D>(H);
     }
+  }
+
+  /// p from ln J of the model's directions.
+  template <class R>
+  [[nodiscard]] [[gnu::always_inline]] R pressure(const R& log, Mask<R>& good) const {
+    if constexpr (n == 0)
+      return lambda_ * log;
+    else
+      return -mu_ * square_change(log, good);
+  }
+
+  /// c = s² − 1 of the free directions by Newton,
+  ///
+  ///     g(c) = μ c + λ (ln J + n/2 ln(1 + c)) = 0,
+  ///
+  /// which grows at c = 0. For λ ≥ 0 it is concave: from the second iterate on the way goes up to
+  /// the root. For λ < 0 it is convex and the way goes down to the root of the branch that grows;
+  /// without a root on it NaN.
+  template <class R>
+  [[nodiscard]] [[gnu::always_inline]] R square_change(const R& log, Mask<R>& good) const {
+    constexpr int most_iterations = 60;
+    R c = at_least<R>(-lambda_ / (mu_ + 0.5 * n * lambda_) * log, Numbers<R>::all(-0.9));
+    Mask<R> found{};
+    for (int k = 0; k < most_iterations && !Numbers<R>::everywhere(found); ++k) {
+      R inverse;
+      const R transverse = Numbers<R>::log_and_inverse(c, inverse, good);
+      const R slope = mu_ + 0.5 * n * lambda_ * inverse;
+      const R step = (mu_ * c + lambda_ * (log + 0.5 * n * transverse)) / slope;
+      // the next step would be below round-off
+      found = Numbers<R>::magnitude(step) <= 1e-9 * Numbers<R>::magnitude(c);
+      if (lambda_ < 0.0) found &= slope > 0.0;
+      c = at_least<R>(c - step, 0.1 * (1.0 + c) - 1.0);
+    }
+    good &= found;
+    return found ? c : Numbers<R>::all(std::numeric_limits<double>::quiet_NaN());
+  }
+
+  /// dc/d(ln J) = −λ/g'.
+  template <class R>
+  [[nodiscard]] [[gnu::always_inline]] R slope_of_change(const R& c) const {
+    return -lambda_ * (1.0 + c) / (mu_ + 0.5 * n * lambda_ + mu_ * c);
+  }
+  template <class R, int N>
+  [[nodiscard]] [[gnu::always_inline]] Dual<R, N> square_change(const Dual<R, N>& log,
+                                                                Mask<R>& good) const {
+    const R c = square_change(log.value, good);
+    const R slope = slope_of_change(c);
+    return dual<N>(c, [&](int k) { return slope * log.change[k]; });
+  }
+
+  template <class R>
+  [[nodiscard]] [[gnu::always_inline]] static R at_least(const R& value, const R& bound) {
+    return value > bound ? value : bound;
   }
 
   double lambda_;
   double mu_;
 };
 
-static_assert(ElasticLaw<NeoHookean<1, Assumption::stress>, 1>);
-static_assert(ElasticLaw<NeoHookean<2>, 2> && ElasticLaw<NeoHookean<3>, 3>);
-
-}  // namespace tlsph
+}  // namespace tlsph::laws

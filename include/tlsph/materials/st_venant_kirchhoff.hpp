@@ -2,120 +2,130 @@
 /// \file
 /// St Venant–Kirchhoff: P = F S with S = λ tr(E) I + 2μ E, E the Green–Lagrange strain. Where the
 /// missing directions are free of stress, S_33 = 0 is linear in E_33 and leaves the same law with
-/// the reduced λ.
+/// the reduced λ; 1 + 2E_33 = 1 − λ tr(E)/μ with that λ.
 
-#include <cmath>
+#include "tlsph/materials/linear_elastic.hpp"
 
-#include "tlsph/materials/kinematics.hpp"
-#include "tlsph/materials/lame.hpp"
+namespace tlsph::laws {
 
-namespace tlsph {
-
-template <int D, Assumption A = Assumption::strain>
+template <int D, Assumption A>
 class StVenantKirchhoff {
  public:
+  static constexpr int dimension = D;
   static constexpr std::string_view name = "st-venant-kirchhoff";
   static constexpr bool small_strain = false;
+  static constexpr double multiply_adds = D == 1 ? 4.0 : 24.0;
+  static constexpr std::string_view range =
+      A == Assumption::strain
+          ? "det F > 0"
+          : "det F > 0 and 1 + 2 E_33 > 0, E_33 the strain of the directions free of stress";
 
   explicit StVenantKirchhoff(const Lame& constants)
-      : lambda_(reduced_lambda(constants, D, A)),
-        mu_(constants.mu),
-        transverse_ratio_(constants.lambda / (2 * constants.mu + (3 - D) * constants.lambda)) {}
+      : constants_(constants), lambda_(reduced_lambda(constants, D, A)), mu_(constants.mu) {}
 
   /// Ψ = λ/2 (tr E)² + μ E:E.
-  [[nodiscard]] double energy(const Tensor<D>& H) const {
-    const Tensor<D> E = green_lagrange<D>(H);
-    const double trace = E.trace();
-    return 0.5 * lambda_ * trace * trace + mu_ * E.squaredNorm();
-  }
-
-  [[nodiscard]] Tensor<D> pk1(const Tensor<D>& H) const {
-    const Tensor<D> S = stress(green_lagrange<D>(H));
-    return S + H * S;
-  }
-
-  /// dP = dH S + F dS, dS from dE = sym(Fᵀ dH). Component by component: fixed-size matrix
-  /// expressions go through memory here and take twice as long.
-  [[nodiscard]] Tensor<D> dpk1(const Tensor<D>& H, const Tensor<D>& dH) const {
-    double E[D][D], dE[D][D];
-    double trace = 0.0, change = 0.0;
+  template <class R>
+  [[nodiscard]] R energy(const TensorOf<D, R>& H) const {
+    const TensorOf<D, R> E = green_lagrange<D>(H);
+    const R volume = trace<D>(E);
+    R sum = 0.5 * lambda_ * volume * volume;
     for (int a = 0; a < D; ++a)
-      for (int b = a; b < D; ++b) {
-        double sum = H(a, b) + H(b, a);
-        double dsum = dH(a, b) + dH(b, a);
-        for (int i = 0; i < D; ++i) {
-          sum += H(i, a) * H(i, b);
-          dsum += H(i, a) * dH(i, b) + dH(i, a) * H(i, b);
-        }
-        E[a][b] = E[b][a] = 0.5 * sum;
-        dE[a][b] = dE[b][a] = 0.5 * dsum;
-        if (a == b) {
-          trace += E[a][a];
-          change += dE[a][a];
-        }
-      }
-    Tensor<D> dP;
+      for (int b = 0; b < D; ++b) sum = sum + mu_ * E(a, b) * E(a, b);
+    return sum;
+  }
+
+  template <class R>
+  [[nodiscard]] [[gnu::always_inline]] TensorOf<D, R> stress(const TensorOf<D, R>& H,
+                                                             Mask<R>& good) const {
+    const R e = volume_change<D>(H);
+    good &= (e > -1.0) & (e < huge);
+    R pressure;
+    const TensorOf<D, R> S = second_stress(H, pressure);
+    if constexpr (free) good &= pressure < mu_;
+    TensorOf<D, R> P;
     for (int i = 0; i < D; ++i)
       for (int a = 0; a < D; ++a) {
-        double sum = lambda_ * (trace * dH(i, a) + change * ((i == a ? 1.0 : 0.0) + H(i, a))) +
-                     2 * mu_ * dE[i][a];
-        for (int b = 0; b < D; ++b) sum += 2 * mu_ * (dH(i, b) * E[b][a] + H(i, b) * dE[b][a]);
-        dP(i, a) = sum;
+        R sum = H(i, 0) * S(0, a);
+        for (int b = 1; b < D; ++b) sum = sum + H(i, b) * S(b, a);
+        P(i, a) = S(i, a) + sum;
       }
-    return dP;
+    return P;
   }
 
-  [[nodiscard]] Tangent<D> tangent(const Tensor<D>& H) const {
-    return tangent_from_action<D>(*this, H);
+  /// δ_ij S_ab + λ F_ia F_jb + μ (δ_ab (F Fᵀ)_ij + F_ib F_ja).
+  template <class R>
+  [[nodiscard]] [[gnu::always_inline]] TensorOf<D * D, R> tangent(const TensorOf<D, R>& H) const {
+    R pressure;
+    const TensorOf<D, R> S = second_stress(H, pressure);
+    const TensorOf<D, R> F = deformation_gradient<D>(H);
+    TensorOf<D * D, R> result;
+    for (int i = 0; i < D; ++i)
+      for (int j = 0; j < D; ++j) {
+        R product = F(i, 0) * F(j, 0);
+        for (int a = 1; a < D; ++a) product = product + F(i, a) * F(j, a);
+        for (int a = 0; a < D; ++a)
+          for (int b = 0; b < D; ++b) {
+            R sum = lambda_ * F(i, a) * F(j, b) + mu_ * F(i, b) * F(j, a);
+            if (i == j) sum = sum + S(a, b);
+            if (a == b) sum = sum + mu_ * product;
+            result(i * D + a, j * D + b) = sum;
+          }
+      }
+    return result;
   }
 
   /// 1, or √(1 + 2E_33) where the stress is zero; NaN once 1 + 2E_33 < 0, when no real stretch
   /// frees the body of transverse stress any more.
-  [[nodiscard]] double transverse_stretch(const Tensor<D>& H) const {
-    if constexpr (A == Assumption::strain) return 1.0;
-    return std::sqrt(transverse_square(H));
+  [[nodiscard]] double transverse_stretch(const TensorOf<D, double>& H) const {
+    return free ? std::sqrt(transverse_square(H)) : 1.0;
   }
 
   /// det F, or 1 + 2E_33 where the stress is zero and that is smaller.
-  [[nodiscard]] double margin(const Tensor<D>& H) const {
+  [[nodiscard]] double margin(const TensorOf<D, double>& H) const {
     const double J = 1 + volume_change<D>(H);
-    if constexpr (A == Assumption::strain || D == 3) return J;
+    if (!free) return J;
     const double square = transverse_square(H);
     return J < square ? J : square;
   }
 
   /// The stretch √(1 + 1/ν) at which uniaxial tension makes 1 + 2E_33 zero.
   [[nodiscard]] double largest_uniaxial_stretch() const requires(A == Assumption::stress) {
-    const double poisson = D == 1 ? transverse_ratio_ : transverse_ratio_ / (1 + transverse_ratio_);
+    const double poisson = constants_.lambda / (2 * (constants_.lambda + constants_.mu));
     return std::sqrt(1 + 1 / poisson);
   }
 
   /// Cauchy σ_33 = F_33 S_33 F_33/J = λ tr(E)/J, or zero.
-  [[nodiscard]] double transverse_stress(const Tensor<D>& H) const {
-    if constexpr (A == Assumption::stress) return 0.0;
-    return lambda_ * green_lagrange<D>(H).trace() / (1 + volume_change<D>(H));
+  [[nodiscard]] double transverse_stress(const TensorOf<D, double>& H) const {
+    if (A == Assumption::stress) return 0.0;
+    return lambda_ * trace<D>(green_lagrange<D>(H)) / (1 + volume_change<D>(H));
   }
 
-  /// λ [Pa], reduced where the missing directions are free of stress.
-  [[nodiscard]] double lambda() const { return lambda_; }
-  /// μ [Pa].
-  [[nodiscard]] double mu() const { return mu_; }
+  /// The law of small strains.
+  [[nodiscard]] LinearElastic<D, A> at_rest() const { return LinearElastic<D, A>(constants_); }
 
  private:
-  /// 1 + 2E_33 where the stress is zero.
-  [[nodiscard]] double transverse_square(const Tensor<D>& H) const {
-    return 1 - 2 * transverse_ratio_ * green_lagrange<D>(H).trace();
-  }
-  [[nodiscard]] Tensor<D> stress(const Tensor<D>& E) const {
-    return lambda_ * E.trace() * Tensor<D>::Identity() + 2 * mu_ * E;
+  static constexpr bool free = A == Assumption::stress && D < 3;
+
+  /// S, and λ tr E.
+  template <class R>
+  [[gnu::always_inline]] TensorOf<D, R> second_stress(const TensorOf<D, R>& H, R& pressure) const {
+    const TensorOf<D, R> E = green_lagrange<D>(H);
+    pressure = lambda_ * trace<D>(E);
+    TensorOf<D, R> S;
+    for (int a = 0; a < D; ++a) {
+      for (int b = a; b < D; ++b) S(a, b) = S(b, a) = 2.0 * mu_ * E(a, b);
+      S(a, a) = pressure + S(a, a);
+    }
+    return S;
   }
 
+  [[nodiscard]] double transverse_square(const TensorOf<D, double>& H) const {
+    return 1 - lambda_ * trace<D>(green_lagrange<D>(H)) / mu_;
+  }
+
+  Lame constants_;
   double lambda_;
   double mu_;
-  double transverse_ratio_;
 };
 
-static_assert(ElasticLaw<StVenantKirchhoff<1, Assumption::stress>, 1>);
-static_assert(ElasticLaw<StVenantKirchhoff<2>, 2> && ElasticLaw<StVenantKirchhoff<3>, 3>);
-
-}  // namespace tlsph
+}  // namespace tlsph::laws

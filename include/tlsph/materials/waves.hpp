@@ -3,6 +3,7 @@
 /// Elastic waves: moduli, speeds, and whether a deformed state still carries them.
 
 #include "tlsph/materials/lame.hpp"
+#include "tlsph/materials/law.hpp"
 
 namespace tlsph {
 

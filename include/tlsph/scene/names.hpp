@@ -75,16 +75,18 @@ struct Names<StabiliserAction> {
       {{"stiffness", StabiliserAction::stiffness}, {"viscosity", StabiliserAction::viscosity}}};
 };
 template <>
-struct Names<LawKind> {
-  static constexpr NameList<LawKind, 3> list = {
-      {{"linear-elastic", LawKind::linear_elastic},
-       {"st-venant-kirchhoff", LawKind::st_venant_kirchhoff},
-       {"neo-hookean", LawKind::neo_hookean}}};
+struct Names<LawName> {
+  static constexpr auto list = [] {
+    NameList<LawName, law_names.size()> result;
+    for (std::size_t k = 0; k < result.size(); ++k)
+      result[k] = {law_names[k], static_cast<LawName>(k)};
+    return result;
+  }();
 };
 template <>
-struct Names<AssumptionKind> {
-  static constexpr NameList<AssumptionKind, 2> list = {
-      {{"strain", AssumptionKind::strain}, {"stress", AssumptionKind::stress}}};
+struct Names<Assumption> {
+  static constexpr NameList<Assumption, 2> list = {
+      {{"strain", Assumption::strain}, {"stress", Assumption::stress}}};
 };
 template <>
 struct Names<ExactKind> {

@@ -13,6 +13,7 @@
 #include "tlsph/core/error.hpp"
 #include "tlsph/curves/curve.hpp"
 #include "tlsph/geometry/shape.hpp"
+#include "tlsph/materials/law_list.hpp"
 
 namespace tlsph {
 
@@ -40,8 +41,6 @@ enum class Layout { square, hexagonal };
 enum class GradientCorrection { none, gradient, mixed, least_squares };
 enum class StabiliserKind { none, pair, cell };
 enum class StabiliserAction { stiffness, viscosity };
-enum class LawKind { linear_elastic, st_venant_kirchhoff, neo_hookean };
-enum class AssumptionKind { strain, stress };
 enum class ExactKind { none, bar_wave, swinging_plate, uniform_stretch };
 
 struct NamedBox {  ///< [[body.tag]]: nodes inside [lower, upper] get this name
@@ -90,8 +89,8 @@ struct StabiliserScene {
 };
 
 struct MaterialScene {
-  LawKind law = LawKind::neo_hookean;
-  AssumptionKind assumption = AssumptionKind::strain;
+  LawName law = LawName::neo_hookean;
+  Assumption assumption = Assumption::strain;
   double young = 0.0, poisson = 0.0, density = 0.0;  // [Pa], –, [kg/m^3]
   std::vector<double> lower, upper;                  // region box; empty = the rest of the body
   Place place;

@@ -109,6 +109,41 @@ TYPED_TEST(LawTest, TangentIsSymmetricAndActsAsItsProduct) {
     }
 }
 
+/// A text of which a tangent is known by its stress only.
+template <class Text>
+struct StressOnly {
+  const Text& text;
+  template <class H, class Good>
+  auto stress(const H& at, Good& good) const {
+    return text.stress(at, good);
+  }
+};
+
+/// Dual numbers through the energy give the stress, through the stress the tangent.
+TYPED_TEST(LawTest, DualNumbersDifferentiateItsText) {
+  constexpr int D = TypeParam::dimension;
+  const auto& text = this->law.text();
+  for (const double size : {0.0, 1e-9, 1e-3, 0.1, 1.0}) {
+    const Tensor<D> H = this->gradient(size);
+    const Tensor<D> P = this->law.pk1(H);
+    const Tangent<D> A = this->law.tangent(H);
+    TensorOf<D, double> at;
+    TensorOf<D, Dual<double, D * D>> moved;
+    for (int k = 0; k < D * D; ++k) {
+      at(k / D, k % D) = H(k / D, k % D);
+      moved(k / D, k % D) = dual<D * D>(H(k / D, k % D), [&](int n) { return n == k ? 1.0 : 0.0; });
+    }
+    const auto energy = text.energy(moved);
+    const auto tangent = tangent_of<D>(StressOnly<std::decay_t<decltype(text)>>{text}, at);
+    EXPECT_NEAR(energy.value, this->law.energy(H), 1e-15 * energy.value);
+    for (int row = 0; row < D * D; ++row) {
+      EXPECT_NEAR(energy.change[row], P(row / D, row % D), 1e-13 * P.norm()) << size;
+      for (int column = 0; column < D * D; ++column)
+        EXPECT_NEAR(tangent(row, column), A(row, column), 1e-14 * A.norm()) << size;
+    }
+  }
+}
+
 TYPED_TEST(LawTest, TheReferenceIsFreeOfStressAndEnergy) {
   constexpr int D = TypeParam::dimension;
   const Tensor<D> zero = Tensor<D>::Zero();

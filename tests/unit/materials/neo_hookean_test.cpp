@@ -1,5 +1,5 @@
 // Numbers of the Neo-Hookean law that were found outside this program.
-#include "tlsph/materials/neo_hookean.hpp"
+#include "tlsph/materials/any_law.hpp"
 
 #include <gtest/gtest.h>
 

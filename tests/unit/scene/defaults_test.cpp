@@ -18,8 +18,8 @@ TEST(Defaults, OfASheet) {
   EXPECT_EQ(scene.formulation, Formulation::stress_point);
   EXPECT_EQ(scene.body.placement, Placement::on_boundary);
   EXPECT_EQ(scene.body.jitter, 0.0);
-  EXPECT_EQ(scene.materials.front().law, LawKind::neo_hookean);
-  EXPECT_EQ(scene.materials.front().assumption, AssumptionKind::strain);
+  EXPECT_EQ(scene.materials.front().law, LawName::neo_hookean);
+  EXPECT_EQ(scene.materials.front().assumption, Assumption::strain);
   EXPECT_EQ(scene.time.safety, 0.9);
   EXPECT_FALSE(scene.time.step);
   EXPECT_THAT(scene.boundaries, IsEmpty());
@@ -111,13 +111,13 @@ TEST(Material, RegionsInheritWhatTheyLeaveOut) {
 
   ASSERT_EQ(scene.materials.size(), 3U);
   EXPECT_THAT(scene.materials[0].lower, IsEmpty());
-  EXPECT_EQ(scene.materials[1].law, LawKind::st_venant_kirchhoff);
-  EXPECT_EQ(scene.materials[1].assumption, AssumptionKind::stress);
+  EXPECT_EQ(scene.materials[1].law, LawName::st_venant_kirchhoff);
+  EXPECT_EQ(scene.materials[1].assumption, Assumption::stress);
   EXPECT_EQ(scene.materials[1].young, 5e6);
   EXPECT_EQ(scene.materials[1].poisson, 0.3);
   EXPECT_EQ(scene.materials[1].density, 1000);
   EXPECT_THAT(scene.materials[1].upper, ElementsAre(1, 1));
-  EXPECT_EQ(scene.materials[2].law, LawKind::linear_elastic);
+  EXPECT_EQ(scene.materials[2].law, LawName::linear_elastic);
   EXPECT_EQ(scene.materials[2].young, 1e6);
   EXPECT_EQ(scene.materials[2].density, 7);
   EXPECT_THAT(scene.materials[2].lower, ElementsAre(1, 0));
@@ -172,7 +172,7 @@ TEST(Reference, NamesEveryChoiceOfEveryEnumeration) {
   for (const auto& list :
        {choices<Formulation>(), choices<GhostTreatment>(), choices<BoundarySolver>(),
         choices<Placement>(), choices<GradientCorrection>(), choices<StabiliserKind>(),
-        choices<LawKind>(), choices<ExactKind>()})
+        choices<LawName>(), choices<ExactKind>()})
     EXPECT_THAT(reference, testing::HasSubstr(list));
 }
 

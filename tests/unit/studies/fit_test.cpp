@@ -109,7 +109,7 @@ TEST_F(Fit, ModelsAQuarterOfAPlateThatIsItsOwnImageTwice) {
   EXPECT_TRUE(table.meets());
   EXPECT_TRUE(table.linear);  // strains of 1e-4
   const Scene scene = read_scene(folder / "study/scene.toml");
-  EXPECT_EQ(scene.materials.front().law, LawKind::linear_elastic);
+  EXPECT_EQ(scene.materials.front().law, LawName::linear_elastic);
   EXPECT_EQ(scene.output.frames, 0);
   ASSERT_EQ(scene.probes.size(), 1U);
   EXPECT_THAT(scene.probes.front().record, ElementsAre(Quantity::displacement));

@@ -1,0 +1,43 @@
+#pragma once
+/// \file
+/// The list of the laws. A new law is its text in a header of its own and its two entries here;
+/// names, the maker, the inner loops of a sweep and the benchmark follow.
+
+#include <array>
+#include <cstddef>
+
+#include "tlsph/materials/neo_hookean.hpp"
+#include "tlsph/materials/st_venant_kirchhoff.hpp"
+
+namespace tlsph {
+
+enum class LawName { linear_elastic, st_venant_kirchhoff, neo_hookean };
+
+namespace laws {
+
+template <class... Text>
+struct List {
+  static constexpr std::size_t size = sizeof...(Text);
+};
+
+/// In the order of LawName, in strain and in stress each.
+template <int D>
+using Listed =
+    List<LinearElastic<D, Assumption::strain>, LinearElastic<D, Assumption::stress>,
+         StVenantKirchhoff<D, Assumption::strain>, StVenantKirchhoff<D, Assumption::stress>,
+         NeoHookean<D, Assumption::strain>, NeoHookean<D, Assumption::stress>>;
+
+template <class... Text>
+constexpr auto names(List<Text...>) {
+  constexpr std::string_view each[] = {Text::name...};
+  std::array<std::string_view, sizeof...(Text) / 2> result;
+  for (std::size_t k = 0; k < result.size(); ++k) result[k] = each[2 * k];
+  return result;
+}
+
+}  // namespace laws
+
+/// By LawName.
+inline constexpr auto law_names = laws::names(laws::Listed<2>());
+
+}  // namespace tlsph
