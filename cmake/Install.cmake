@@ -1,4 +1,4 @@
-# tlsph::tlsph, the library as others link it, and its way to an install tree:
+# tlsph::tlsph, the library as others link it, without the studies, and its way to an install tree:
 #
 #   find_package(tlsph REQUIRED)
 #   target_link_libraries(app PRIVATE tlsph::tlsph)
@@ -28,8 +28,11 @@ set(package "${CMAKE_INSTALL_LIBDIR}/cmake/tlsph")
 install(TARGETS tlsph tlsph_settings ${rooms} EXPORT tlsphTargets
         ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
 install(EXPORT tlsphTargets NAMESPACE tlsph:: DESTINATION "${package}")
-install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/tlsph" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
-        FILES_MATCHING PATTERN "*.hpp")
+foreach(room IN LISTS rooms)
+  string(REGEX REPLACE "^tlsph_" "" name ${room})
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/tlsph/${name}"
+          DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/tlsph" FILES_MATCHING PATTERN "*.hpp")
+endforeach()
 if(TARGET tlsph_program)
   install(TARGETS tlsph_program RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
 endif()

@@ -6,7 +6,6 @@ find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(fmt REQUIRED)
 find_package(tomlplusplus REQUIRED)
 pkg_check_modules(hdf5 REQUIRED IMPORTED_TARGET hdf5-serial)
-pkg_check_modules(armadillo REQUIRED IMPORTED_TARGET armadillo)
 
 if(NOT TARGET tlsph::suitesparse)
   add_library(tlsph::suitesparse INTERFACE IMPORTED)

@@ -12,17 +12,28 @@ set(TLSPH_COMMON_HEADERS <Eigen/Core> <Eigen/SparseCore> <fmt/format.h> <algorit
     <functional> <map> <memory> <optional> <string> <string_view> <utility> <variant> <vector>)
 tlsph_precompile(tlsph_precompiled HEADERS ${TLSPH_COMMON_HEADERS} LINK Eigen3::Eigen fmt::fmt OpenMP::OpenMP_CXX)
 
+# In batches the templates of Eigen are instantiated once for several files.
+option(TLSPH_BATCHES "Compile the sources of a folder several files at a time" OFF)
+
 # A room is a folder below src/ with its headers below include/tlsph/; it becomes one library,
 # tlsph_<room>, that links exactly the rooms and third parties it may include.
 # Usage: tlsph_room(kernels ROOMS core LINK fmt::fmt)
+# SINGLY: its sources are not compiled several at a time: they hide names of each other, or their speed
+# must not depend on what else is compiled.
+# STUDY: experiments about the method. The program links them; tlsph::tlsph does not.
 function(tlsph_room name)
-  cmake_parse_arguments(room "" "" "ROOMS;LINK;PRIVATE_LINK" ${ARGN})
+  cmake_parse_arguments(room "STUDY;SINGLY" "" "ROOMS;LINK;PRIVATE_LINK" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/${name}/*.cpp")
   list(TRANSFORM room_ROOMS PREPEND tlsph_)
   if(sources)
     add_library(tlsph_${name} STATIC ${sources})
     set(scope PUBLIC)
     target_precompile_headers(tlsph_${name} REUSE_FROM tlsph_precompiled)
+    if(TLSPH_BATCHES AND NOT room_SINGLY)
+      set_target_properties(tlsph_${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 4)
+      # The sources of a batch look like headers to the compiler.
+      target_compile_options(tlsph_${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+    endif()
     target_link_libraries(tlsph_${name} PRIVATE ${room_PRIVATE_LINK})
   else()
     add_library(tlsph_${name} INTERFACE)
@@ -31,5 +42,9 @@ function(tlsph_room name)
   target_include_directories(tlsph_${name} ${scope}
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
   target_link_libraries(tlsph_${name} ${scope} tlsph_settings ${room_ROOMS} ${room_LINK})
-  set_property(GLOBAL APPEND PROPERTY TLSPH_ROOM_TARGETS tlsph_${name})
+  set(kind ROOM)
+  if(room_STUDY)
+    set(kind STUDY)
+  endif()
+  set_property(GLOBAL APPEND PROPERTY TLSPH_${kind}_TARGETS tlsph_${name})
 endfunction()

@@ -15,10 +15,10 @@
 
 #include "tlsph/dynamics/critical_step.hpp"
 #include "tlsph/exact/swinging_plate.hpp"
+#include "tlsph/filling/lattice.hpp"
 #include "tlsph/materials/lame.hpp"
 #include "tlsph/observe/errors.hpp"
 #include "tlsph/operators/gradients.hpp"
-#include "tlsph/particles/lattice.hpp"
 #include "tlsph/particles/points.hpp"
 
 using namespace tlsph;

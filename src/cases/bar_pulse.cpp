@@ -12,7 +12,7 @@
 #include "long_waves.hpp"
 #include "signals.hpp"
 #include "tlsph/analysis/order.hpp"
-#include "tlsph/simulation/builder.hpp"
+#include "tlsph/model/builder.hpp"
 #include "validation_bar.hpp"
 
 namespace tlsph {

@@ -10,7 +10,7 @@
 #include "tlsph/analysis/order.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/dynamics/state.hpp"
-#include "tlsph/simulation/builder.hpp"
+#include "tlsph/model/builder.hpp"
 #include "tlsph/studies/converge.hpp"
 
 namespace tlsph {

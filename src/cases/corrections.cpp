@@ -10,8 +10,8 @@
 #include "tlsph/core/error.hpp"
 #include "tlsph/dynamics/critical_step.hpp"
 #include "tlsph/dynamics/ledger.hpp"
+#include "tlsph/model/builder.hpp"
 #include "tlsph/operators/gradients.hpp"
-#include "tlsph/simulation/builder.hpp"
 
 namespace tlsph {
 namespace {

@@ -11,7 +11,7 @@
 #include "stabilised_bar.hpp"
 #include "tlsph/analysis/order.hpp"
 #include "tlsph/kernels/families.hpp"
-#include "tlsph/simulation/builder.hpp"
+#include "tlsph/model/builder.hpp"
 #include "vibration.hpp"
 #include "zero_energy_modes.hpp"
 

@@ -11,8 +11,8 @@
 #include "list.hpp"
 #include "sampled_line.hpp"
 #include "tlsph/analysis/order.hpp"
+#include "tlsph/filling/lattice.hpp"
 #include "tlsph/operators/gradients.hpp"
-#include "tlsph/particles/lattice.hpp"
 #include "tlsph/particles/points.hpp"
 
 namespace tlsph {

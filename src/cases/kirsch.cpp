@@ -8,7 +8,7 @@
 #include "linear_body.hpp"
 #include "list.hpp"
 #include "tlsph/analysis/order.hpp"
-#include "tlsph/simulation/builder.hpp"
+#include "tlsph/model/builder.hpp"
 
 namespace tlsph {
 namespace {

@@ -11,9 +11,9 @@
 #include "tlsph/dynamics/critical_step.hpp"
 #include "tlsph/dynamics/state.hpp"
 #include "tlsph/linear/factorization.hpp"
+#include "tlsph/model/builder.hpp"
 #include "tlsph/operators/gradients.hpp"
 #include "tlsph/operators/products.hpp"
-#include "tlsph/simulation/builder.hpp"
 #include "vibration.hpp"
 
 namespace tlsph {

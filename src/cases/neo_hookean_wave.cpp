@@ -10,7 +10,7 @@
 #include "simple_wave.hpp"
 #include "tlsph/analysis/order.hpp"
 #include "tlsph/dynamics/critical_step.hpp"
-#include "tlsph/simulation/builder.hpp"
+#include "tlsph/model/builder.hpp"
 #include "validation_bar.hpp"
 
 namespace tlsph {

@@ -11,7 +11,7 @@
 #include "tlsph/analysis/motion_growth.hpp"
 #include "tlsph/analysis/spectrum.hpp"
 #include "tlsph/dynamics/state.hpp"
-#include "tlsph/simulation/builder.hpp"
+#include "tlsph/model/builder.hpp"
 #include "validation_bar.hpp"
 #include "vibration.hpp"
 

@@ -11,7 +11,7 @@
 #include "tlsph/contrast/current_lattice.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/dynamics/state.hpp"
-#include "tlsph/simulation/builder.hpp"
+#include "tlsph/model/builder.hpp"
 
 namespace tlsph {
 namespace {

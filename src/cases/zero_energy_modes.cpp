@@ -8,7 +8,7 @@
 
 #include "stabilised_bar.hpp"
 #include "tlsph/analysis/spectrum.hpp"
-#include "tlsph/simulation/builder.hpp"
+#include "tlsph/model/builder.hpp"
 #include "vibration.hpp"
 
 namespace tlsph {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 
 #include "strain_watch.hpp"
 #include "tangent_pass.hpp"
@@ -220,58 +219,6 @@ bool StepFollower<D>::follow(State<D>& state) {
   last_look_ = state.step;
   next_look_ = state.step + interval;
   return step_ != before;
-}
-
-template <int D>
-std::vector<double> StepFollower<D>::numbers() const {
-  return {gamma_,
-          first_,
-          critical_.dt,
-          critical_.scaled,
-          critical_.growth.value_or(std::nan("")),
-          limit_,
-          step_,
-          steady_,
-          change_,
-          static_cast<double>(last_look_),
-          static_cast<double>(next_look_),
-          path_known_ ? 1.0 : 0.0,
-          path_,
-          last_path_,
-          path_at_look_,
-          static_cast<double>(looks_),
-          static_cast<double>(bounds_),
-          static_cast<double>(estimates_)};
-}
-
-template <int D>
-void StepFollower<D>::restore(const std::vector<double>& n, const std::vector<double>& estimated_at,
-                              const std::vector<double>& checked_at) {
-  gamma_ = n.at(0);
-  first_ = n.at(1);
-  critical_.dt = n.at(2);
-  critical_.scaled = n.at(3);
-  critical_.growth.reset();
-  if (!std::isnan(n.at(4))) critical_.growth = n.at(4);
-  limit_ = n.at(5);
-  step_ = n.at(6);
-  steady_ = n.at(7);
-  change_ = n.at(8);
-  last_look_ = static_cast<long>(n.at(9));
-  next_look_ = static_cast<long>(n.at(10));
-  path_known_ = n.at(11) != 0.0;
-  path_ = n.at(12);
-  last_path_ = n.at(13);
-  path_at_look_ = n.at(14);
-  looks_ = static_cast<long>(n.at(15));
-  bounds_ = static_cast<long>(n.at(16));
-  estimates_ = static_cast<long>(n.at(17));
-  const auto take = [](const std::vector<double>& from, std::vector<float>& to) {
-    if (from.size() != to.size()) throw std::invalid_argument("strains of another body");
-    std::ranges::transform(from, to.begin(), [](double h) { return static_cast<float>(h); });
-  };
-  take(estimated_at, H_estimate_);
-  take(checked_at, H_check_);
 }
 
 template class StepFollower<1>;

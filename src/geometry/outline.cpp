@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "tlsph/geometry/cross.hpp"
 #include "tlsph/geometry/region.hpp"
 
 namespace tlsph {
@@ -15,10 +16,6 @@ constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr double merge_share = 1e-10;
 /// How far beside a piece we look for the body.
 constexpr double probe_share = 1e-7;
-
-double cross(const Vector<2>& a, const Vector<2>& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 OutlinePiece segment(const Vector<2>& from, const Vector<2>& to) {
   return {from, to};

@@ -3,12 +3,10 @@
 #include <cassert>
 #include <cmath>
 
+#include "tlsph/geometry/cross.hpp"
+
 namespace tlsph {
 namespace {
-
-double cross(const Vector<2>& a, const Vector<2>& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 /// Calls action(a, b) with the two far corners, relative to the first one, of each fan triangle.
 template <class Action>

@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 #include <cmath>
 
+#include "tlsph/geometry/cross.hpp"
 #include "tlsph/geometry/outline.hpp"
 #include "tlsph/geometry/polygon.hpp"
 #include "tlsph/geometry/region.hpp"
@@ -13,10 +14,6 @@ void validate(const Shape<2>& shape, const Place& place);  // bases and holes ar
 namespace {
 
 constexpr char axis_name[] = {'x', 'y', 'z'};
-
-double cross(const Vector<2>& a, const Vector<2>& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 template <int D>
 void validate_box(const Box<D>& box, const Place& place) {

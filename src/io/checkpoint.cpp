@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr char magic[8] = {'T', 'L', 'S', 'P', 'H', 'C', 'K', 'P'};
-constexpr std::uint64_t version = 2;
+constexpr std::uint64_t version = 3;
 
 class Writer {
  public:
@@ -151,8 +151,12 @@ Checkpoint read_checkpoint(const fs::path& path) {
   return checkpoint;
 }
 
+const std::vector<double>& Checkpoint::array(const std::string& name) const {
+  return find(arrays, name, path);
+}
+
 const std::vector<double>& Checkpoint::array(const std::string& name, std::size_t size) const {
-  const auto& values = find(arrays, name, path);
+  const auto& values = array(name);
   if (values.size() != size)
     throw InputError(Place{path.string(), 0, 0, ""},
                      "\"" + name + "\" holds " + std::to_string(values.size()) +

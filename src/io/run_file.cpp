@@ -37,18 +37,6 @@ const char* name_of(Site site) {
   return site == Site::particles ? "particles" : "points";
 }
 
-/// Names of the components of a field, "x y" or "xx xy yx yy".
-std::vector<std::string> component_names(std::size_t dimension, Rank rank) {
-  std::vector<std::string> names{""};
-  for (int order = 0; order < static_cast<int>(rank); ++order) {
-    std::vector<std::string> longer;
-    for (const auto& name : names)
-      for (std::size_t a = 0; a < dimension; ++a) longer.push_back(name + "xyz"[a]);
-    names = std::move(longer);
-  }
-  return names;
-}
-
 /// Positions in three dimensions and the number of each vertex: what viewers want of points.
 void write_vertices(Hdf5File& file, const std::string& group, const CloudView& cloud) {
   std::vector<double> positions(3 * cloud.size(), 0.0);
@@ -116,9 +104,7 @@ std::size_t RunLayout::rows(const FrameField& field) const {
 }
 
 std::size_t RunLayout::components(const FrameField& field) const {
-  return field.rank == Rank::scalar   ? 1
-         : field.rank == Rank::vector ? dimension
-                                      : dimension * dimension;
+  return component_count(field.rank, dimension);
 }
 
 namespace {
@@ -150,7 +136,7 @@ Hdf5File create_file(const std::filesystem::path& path, const RunLayout& layout,
     file.set_attribute(item, "unit", field.unit);
     file.set_attribute(item, "site", name_of(field.site));
     if (field.rank != Rank::scalar)
-      file.set_attribute(item, "components", component_names(layout.dimension, field.rank));
+      file.set_attribute(item, "components", component_names(field.rank, layout.dimension));
   }
   file.create_series("/series/time", {}, series_chunk_rows);
   file.set_attribute("/series/time", "unit", "s");

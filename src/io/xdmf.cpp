@@ -47,18 +47,15 @@ std::vector<View> views_of(const RunLayout& layout, const FrameField& field) {
   const std::size_t d = layout.dimension;
   if (field.rank == Rank::scalar) return {{field.name}};
   if (field.rank == Rank::vector && d > 1) return {{field.name, 0, d}};
-  const std::string axes = "xyz";
+  const std::vector<std::string> components = component_names(field.rank, d);
   std::vector<View> views;
-  for (std::size_t c = 0; c < layout.components(field); ++c)
-    views.push_back({field.name + "_" +
-                         (field.rank == Rank::vector ? std::string(1, axes[c])
-                                                     : std::string{axes[c / d], axes[c % d]}),
-                     c});
+  for (std::size_t c = 0; c < components.size(); ++c)
+    views.push_back({fmt::format("{}_{}", field.name, components[c]), c});
   return views;
 }
 
 std::string item_of(std::size_t frame, const View& view) {
-  return "/" + std::to_string(frame) + "/" + view.name;
+  return fmt::format("/{}/{}", frame, view.name);
 }
 
 struct Document {

@@ -79,6 +79,7 @@ struct Cholesky::Impl {
   bool factorise(const SparseMatrix& A) {
     solvable = rows == 0;
     if (solvable) return true;
+    reserve_blas_memory();
     cholmod_sparse view = sparse_view(A);
     cholmod_factorize(&view, factor, state.get());
     if (state.get()->status < CHOLMOD_OK) fail(A);

@@ -51,6 +51,7 @@ cholmod_sparse long_view(const ByColumns& A) {
 
 struct LeastNorm::Impl {
   explicit Impl(const SparseMatrix& transposed) {
+    reserve_blas_memory();
     ByColumns by_columns = transposed;
     by_columns.makeCompressed();
     cholmod_sparse view = long_view(by_columns);

@@ -39,6 +39,7 @@ struct Lu::Impl {
   [[nodiscard]] bool refines() const { return control[UMFPACK_IRSTEP] > 0; }
 
   void factorise(const SparseMatrix& A) {
+    reserve_blas_memory();
     const int n = static_cast<int>(A.rows());
     void* symbolic = nullptr;
     int status = umfpack_di_symbolic(n, n, matrix.outerIndexPtr(), matrix.innerIndexPtr(),

@@ -84,6 +84,10 @@ inline cholmod_sparse sparse_view(const SparseMatrix& A) {
 void require_finite(const SparseMatrix& A, const std::string& method);
 void require_square(const SparseMatrix& A, const std::string& method);
 
+/// Takes the work space of OpenBLAS, once. Where that cannot be had this is std::bad_alloc;
+/// OpenBLAS itself would try for ever.
+void reserve_blas_memory();
+
 /// Throws NumericalError: the matrix cannot be factorised, and why.
 [[noreturn]] void throw_failure(const std::string& method, const SparseMatrix& A,
                                 const std::string& what);

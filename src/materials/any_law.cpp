@@ -2,23 +2,43 @@
 
 #include <fmt/format.h>
 
+#include "tlsph/core/error.hpp"
+
 namespace tlsph {
 
 namespace {
 
 template <int D, class... Text>
-AnyLaw<D> make_listed(laws::List<Text...>, std::size_t index, const Lame& constants) {
-  using Make = AnyLaw<D> (*)(const Lame&);
-  constexpr Make make[] = {[](const Lame& of) -> AnyLaw<D> { return Law<Text>(of); }...};
-  return make[index](constants);
+AnyLaw<D> make_listed(laws::List<Text...>, std::size_t index, std::span<const double> values) {
+  using Make = AnyLaw<D> (*)(std::span<const double>);
+  constexpr Make make[] = {
+      [](std::span<const double> of) -> AnyLaw<D> { return Law<Text>(of); }...};
+  return make[index](values);
+}
+
+void check_constants(LawName name, std::span<const double> values) {
+  const std::span<const LawConstant> constants = constants_of(name);
+  if (values.size() != constants.size())
+    throw InputError(
+        fmt::format("material.law: {} constants, not {}", constants.size(), values.size()));
+  for (std::size_t k = 0; k < values.size(); ++k)
+    if (!constants[k].range.contains(values[k]))
+      throw InputError(fmt::format("{}: must be {}, not {}", constants[k].name,
+                                   constants[k].range.text(), values[k]));
 }
 
 }  // namespace
 
 template <int D>
-AnyLaw<D> make_law(LawName name, Assumption assumption, double young, double poisson) {
+AnyLaw<D> make_law(LawName name, Assumption assumption, std::span<const double> constants) {
+  check_constants(name, constants);
   const auto index = 2 * static_cast<std::size_t>(name) + static_cast<std::size_t>(assumption);
-  return make_listed<D>(laws::Listed<D>(), index, lame(young, poisson));
+  return make_listed<D>(laws::Listed<D>(), index, constants);
+}
+
+Moduli moduli_at_rest(LawName name, std::span<const double> constants) {
+  return std::visit([](const auto& law) { return moduli_at_rest(law); },
+                    make_law<3>(name, Assumption::strain, constants));
 }
 
 template <int D>
@@ -37,9 +57,9 @@ std::string range(const AnyLaw<D>& law) {
       law);
 }
 
-template AnyLaw<1> make_law<1>(LawName, Assumption, double, double);
-template AnyLaw<2> make_law<2>(LawName, Assumption, double, double);
-template AnyLaw<3> make_law<3>(LawName, Assumption, double, double);
+template AnyLaw<1> make_law<1>(LawName, Assumption, std::span<const double>);
+template AnyLaw<2> make_law<2>(LawName, Assumption, std::span<const double>);
+template AnyLaw<3> make_law<3>(LawName, Assumption, std::span<const double>);
 template std::string range<1>(const AnyLaw<1>&);
 template std::string range<2>(const AnyLaw<2>&);
 

@@ -6,16 +6,14 @@
 #include <numbers>
 #include <optional>
 
+#include "gauss.hpp"
+
 namespace tlsph {
 namespace {
 
 /// Faces that turn by more than this meet in a corner.
-constexpr double corner = std::numbers::pi / 6;
+constexpr double corner_turn = std::numbers::pi / 6;
 constexpr std::size_t stencil = 4;
-
-/// Gauss–Legendre with three points on [0, 1], exact to degree five.
-constexpr std::array<double, 3> gauss_point = {0.1127016653792583, 0.5, 0.8872983346207417};
-constexpr std::array<double, 3> gauss_weight = {5.0 / 18, 8.0 / 18, 5.0 / 18};
 
 /// What joins a face to the one that begins where it ends.
 struct Joint {
@@ -40,7 +38,7 @@ class Joints {
       const Vector<2> a = along(f);
       const Vector<2> b = along(next);
       const double turn = std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
-      if (next == f || std::abs(turn) > corner) continue;
+      if (next == f || std::abs(turn) > corner_turn) continue;
       after_[f] = Joint{next, turn};
       before_[next] = Joint{f, turn};
     }
@@ -86,11 +84,11 @@ std::vector<double> cubic_weights(const BoundaryRun& run) {
     for (std::size_t i = 1; i < stencil; ++i) s[i] = s[i - 1] + run.arc((first + i - 1) % faces);
     const double from = s[face - first];
     const double length = s[face - first + 1] - from;
-    for (std::size_t g = 0; g < gauss_point.size(); ++g)
+    for (std::size_t g = 0; g < gauss_3.point.size(); ++g)
       for (std::size_t i = 0; i < stencil; ++i) {
-        double value = gauss_weight[g] * length;
+        double value = gauss_3.weight[g] * length;
         for (std::size_t j = 0; j < stencil; ++j)
-          if (j != i) value *= (from + gauss_point[g] * length - s[j]) / (s[i] - s[j]);
+          if (j != i) value *= (from + gauss_3.point[g] * length - s[j]) / (s[i] - s[j]);
         weights[(first + i) % nodes] += value;
       }
   }

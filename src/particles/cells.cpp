@@ -2,12 +2,10 @@
 
 #include <algorithm>
 
+#include "tlsph/geometry/cross.hpp"
+
 namespace tlsph {
 namespace {
-
-double cross(const Vector<2>& a, const Vector<2>& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 Vector<2> corner(const VectorField<2>& X, const Cell<2>& cell, std::size_t k) {
   return X.row(cell[k % 4]).transpose();

@@ -6,18 +6,13 @@
 #include <cmath>
 #include <map>
 
+#include "gauss.hpp"
 #include "tlsph/geometry/outline.hpp"
 #include "tlsph/particles/boundary_faces.hpp"
 #include "tlsph/particles/boundary_runs.hpp"
 
 namespace tlsph {
 namespace {
-
-/// Gauss–Legendre with four points on [0, 1], exact to degree seven.
-constexpr std::array<double, 4> gauss_point = {0.06943184420297371, 0.33000947820757187,
-                                               0.66999052179242813, 0.93056815579702629};
-constexpr std::array<double, 4> gauss_weight = {0.17392742256872693, 0.32607257743127307,
-                                                0.32607257743127307, 0.17392742256872693};
 
 /// Relative residual of the moments that counts as met.
 constexpr double met = 1e-12;
@@ -63,8 +58,8 @@ BoundaryRule<D> along_faces(const VectorField<D>& X, const std::vector<Face<D>>&
       rule.push_back({from, face.area});
     } else {
       const Vector<2> to = X.row(face.nodes[1]).transpose();
-      for (std::size_t k = 0; k < gauss_point.size(); ++k)
-        rule.push_back({from + gauss_point[k] * (to - from), gauss_weight[k] * face.area});
+      for (std::size_t k = 0; k < gauss_4.point.size(); ++k)
+        rule.push_back({from + gauss_4.point[k] * (to - from), gauss_4.weight[k] * face.area});
     }
   }
   return rule;
@@ -78,9 +73,9 @@ BoundaryRule<2> along_outline(const Shape<2>& shape) {
     const int parts =
         piece.is_arc() ? static_cast<int>(std::ceil(std::abs(piece.sweep) / longest_sweep)) : 1;
     for (int part = 0; part < parts; ++part)
-      for (std::size_t k = 0; k < gauss_point.size(); ++k) {
-        const double t = (part + gauss_point[k]) / parts;
-        rule.push_back({piece.at(t), gauss_weight[k] * piece.length() / parts * piece.normal(t)});
+      for (std::size_t k = 0; k < gauss_4.point.size(); ++k) {
+        const double t = (part + gauss_4.point[k]) / parts;
+        rule.push_back({piece.at(t), gauss_4.weight[k] * piece.length() / parts * piece.normal(t)});
       }
   }
   return rule;

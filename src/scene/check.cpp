@@ -1,5 +1,6 @@
 // Checks of a scene's tree against the key table: names, types, ranges.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,51 +11,19 @@
 namespace tlsph {
 namespace {
 
-std::string trimmed(std::string text) {
-  while (!text.empty() && text.back() == ' ') text.pop_back();
-  while (!text.empty() && text.front() == ' ') text.erase(text.begin());
-  return text;
-}
-
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> parts;
-  std::size_t begin = 0;
-  while (begin <= text.size()) {
-    const std::size_t end = std::min(text.find(separator, begin), text.size());
-    if (end > begin) parts.push_back(trimmed(text.substr(begin, end - begin)));
-    begin = end + 1;
-  }
-  return parts;
-}
-
-bool is_interval(const std::string& alternative) {
-  return alternative.find_first_of(">[(") == 0;
-}
-
-/// Does x satisfy `> a`, `>= a` or an interval like `(a, b]`?
-bool within(const std::string& interval, double x) {
-  if (interval.rfind(">=", 0) == 0) return x >= std::stod(interval.substr(2));
-  if (interval.front() == '>') return x > std::stod(interval.substr(1));
-  const std::size_t comma = interval.find(',');
-  const double low = std::stod(interval.substr(1, comma - 1));
-  const double high = std::stod(interval.substr(comma + 1, interval.size() - comma - 2));
-  return (interval.front() == '[' ? x >= low : x > low) &&
-         (interval.back() == ']' ? x <= high : x < high);
-}
-
 void check_number(const Node& node, const Key& key) {
   const double x = node.number();
   if (!std::isfinite(x))
     throw InputError(node.place, fmt::format("must be a finite number, not {}", print_value(node)));
-  for (const auto& alternative : split(key.range, '|'))
-    if (is_interval(alternative) && !within(alternative, x))
-      throw InputError(node.place,
-                       fmt::format("must be {}{}, not {}", alternative.front() == '>' ? "" : "in ",
-                                   alternative, print_value(node)));
+  const std::optional<Range>& range = key.allowed.range;
+  if (range && !range->contains(x))
+    throw InputError(node.place,
+                     fmt::format("must be {}{}, not {}", range->text().front() == '>' ? "" : "in ",
+                                 range->text(), print_value(node)));
 }
 
 void check_word(const Node& node, const Key& key) {
-  const auto words = words_of(key.range);
+  const std::vector<std::string>& words = key.allowed.words;
   const std::string& word = *node.text();
   if (words.empty() || std::find(words.begin(), words.end(), word) != words.end()) return;
   const std::string near = nearest(word, words);
@@ -200,11 +169,10 @@ std::size_t distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::vector<std::string> words_of(const std::string& range) {
-  std::vector<std::string> words;
-  for (const auto& alternative : split(range, '|'))
-    if (!is_interval(alternative)) words.push_back(alternative);
-  return words;
+std::string Allowed::text() const {
+  std::vector<std::string> alternatives = words;
+  if (range) alternatives.push_back(range->text());
+  return fmt::format("{}", fmt::join(alternatives, " | "));
 }
 
 std::string nearest(std::string_view word, const std::vector<std::string>& words) {

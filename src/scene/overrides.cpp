@@ -12,7 +12,7 @@ namespace tlsph {
 namespace {
 
 /// Steps to any key of a scene are fewer.
-constexpr std::size_t deepest = 16;
+constexpr std::size_t most_steps = 16;
 
 /// One step of a path: a name in a table, or an index in a list.
 struct Step {
@@ -59,7 +59,7 @@ std::vector<Step> split_path(const std::string& path, const Place& place) {
       if (i == path.size() || path[i] == '.' || path[i] == '[') throw malformed;
     }
   }
-  if (steps.empty() || steps.size() > deepest) throw malformed;
+  if (steps.empty() || steps.size() > most_steps) throw malformed;
   return steps;
 }
 

@@ -96,7 +96,7 @@ void check_cloud(const BodyScene& body, const TableView& view, int dimension,
                      fmt::format("{} needs nodes on a square lattice; irregular and hexagonal "
                                  "ones: {}",
                                  name_of(formulation), adjoint_formulations()));
-  if (body.placement == Placement::cell_centred)
+  if (body.placement == NodePlacement::cell_centred)
     throw InputError(view.place_of("placement"),
                      fmt::format("body.{} puts nodes on the boundary; allowed: on-boundary", key));
   if (dimension == 2 && !body.fit)
@@ -149,9 +149,9 @@ BodyScene read_body(const TableView& view, int dimension, Formulation formulatio
   if (view.has("spacing")) body.spacing = view.number("spacing");
   body.spacing_place = view.place_of("spacing");
   body.layout = view.choice<Layout>("layout");
-  body.placement = view.choice<Placement>("placement");
+  body.placement = view.choice<NodePlacement>("placement");
   const bool may_fit =
-      is_adjoint(formulation) && dimension == 2 && body.placement == Placement::on_boundary;
+      is_adjoint(formulation) && dimension == 2 && body.placement == NodePlacement::on_boundary;
   body.fit = view.has("fit") ? view.flag("fit") : may_fit;
   if (body.fit && !may_fit)
     throw InputError(

@@ -56,9 +56,8 @@ KernelScene read_kernel(const TableView& view, Formulation formulation,
   kernel.order = view.has("order")                        ? view.small_integer("order")
                  : formulation == Formulation::consistent ? consistency->rows
                                                           : 1;
-  kernel.correction =
-      view.choice_or("correction", is_ghosted(formulation) ? GradientCorrection::none
-                                                           : GradientCorrection::least_squares);
+  kernel.correction = view.choice_or(
+      "correction", is_ghosted(formulation) ? Correction::none : Correction::least_squares);
   return kernel;
 }
 

@@ -1,6 +1,7 @@
 #include "tlsph/scene/reader.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <fstream>
@@ -11,18 +12,35 @@
 #include "read_boundary.hpp"
 #include "read_operators.hpp"
 #include "rules.hpp"
+#include "tlsph/observe/quantity.hpp"
 #include "view.hpp"
 
 namespace tlsph {
 namespace {
+
+/// The constants of the law, those that the table leaves out from `base`. A constant of another law
+/// is refused.
+std::vector<double> read_constants(const TableView& view, LawName law, const MaterialScene* base) {
+  std::vector<double> values;
+  for (const LawConstant& constant : constants_of(law)) {
+    const auto inherited = base == nullptr ? std::nullopt : base->constant(constant.name);
+    values.push_back(inherited ? view.number_or(constant.name, *inherited)
+                               : view.require(constant.name).number());
+  }
+  for (const LawConstant& constant : all_law_constants())
+    if (view.has(constant.name) && std::ranges::find(constants_of(law), constant.name,
+                                                     &LawConstant::name) == constants_of(law).end())
+      throw InputError(view.place_of(constant.name),
+                       fmt::format("the law \"{}\" has no such constant", name_of(law)));
+  return values;
+}
 
 std::vector<MaterialScene> read_materials(const TableView& view, int dimension) {
   MaterialScene base;
   base.place = view.place();
   base.law = view.choice<LawName>("law");
   base.assumption = view.choice<Assumption>("assumption");
-  base.young = view.number("young");
-  base.poisson = view.number("poisson");
+  base.constants = read_constants(view, base.law, nullptr);
   base.density = view.number("density");
   std::vector<MaterialScene> materials = {base};
   for (const TableView& region : view.tables("region")) {
@@ -32,8 +50,7 @@ std::vector<MaterialScene> read_materials(const TableView& view, int dimension) 
     part.lower = corners.lower;
     part.upper = corners.upper;
     part.law = region.choice_or("law", base.law);
-    part.young = region.number_or("young", base.young);
-    part.poisson = region.number_or("poisson", base.poisson);
+    part.constants = read_constants(region, part.law, &base);
     part.density = region.number_or("density", base.density);
     materials.push_back(part);
   }
@@ -80,14 +97,13 @@ std::vector<ProbeScene> read_probes(const TableView& root, int dimension) {
                          fmt::format("\"{}\" is already the name of another probe", probe.name));
     probe.at = read_vector(view.require("at"), dimension, "one per dimension");
     for (const auto& word : view.texts("record")) {
-      const auto quantity = *from_name<Quantity>(word);
-      if (std::find(probe.record.begin(), probe.record.end(), quantity) != probe.record.end())
+      if (std::find(probe.record.begin(), probe.record.end(), word) != probe.record.end())
         throw InputError(view.place_of("record"), fmt::format("\"{}\" is listed twice", word));
-      probe.record.push_back(quantity);
+      probe.record.push_back(word);
     }
     if (probe.record.empty())
-      throw InputError(view.place_of("record"),
-                       fmt::format("must name at least one of {}", choices<Quantity>()));
+      throw InputError(view.place_of("record"), fmt::format("must name at least one of {}",
+                                                            fmt::join(quantity_names, " | ")));
     probes.push_back(std::move(probe));
   }
   return probes;
@@ -172,8 +188,8 @@ Scene build(const TableView& root) {
   scene.dimension = root.small_integer("dimension");
   scene.formulation = root.choice<Formulation>("formulation");
   scene.formulation_place = root.place_of("formulation");
-  scene.ghosts = root.choice<GhostTreatment>("boundary_treatment");
-  scene.boundary_solver = root.choice<BoundarySolver>("boundary_solver");
+  scene.ghosts = root.choice<GhostClosure>("boundary_treatment");
+  scene.boundary_solver = root.choice<SolverChoice>("boundary_solver");
   scene.precision = root.choice<Precision>("precision");
   scene.boundary_solver_place = root.place_of("boundary_solver");
   for (const char* name : {"body", "material", "time"}) root.require(name);

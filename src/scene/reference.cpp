@@ -51,7 +51,7 @@ std::string wrapped(const std::string& text) {
     const std::size_t end = std::min(text.find(' ', begin), text.size());
     const std::size_t length = end - begin;
     if (column + 1 + length > width) {
-      result += '\n' + std::string(indent, ' ');
+      result.append(1, '\n').append(indent, ' ');
       column = indent;
     } else {
       result += ' ';
@@ -71,7 +71,7 @@ std::string describe_key(const Key& key) {
     line += ", required";
   else if (key.standard != "(none)")
     line += fmt::format(", default {}", key.standard);
-  line += wrapped(key.range) + wrapped(key.doc);
+  line += wrapped(key.allowed.text()) + wrapped(key.doc);
   return line + "\n";
 }
 

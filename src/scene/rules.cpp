@@ -6,6 +6,7 @@
 #include <array>
 #include <map>
 
+#include "tlsph/core/dimensions.hpp"
 #include "tlsph/geometry/region.hpp"
 
 namespace tlsph {
@@ -28,10 +29,10 @@ void check_ghosts(const Scene& scene, const TableView& root) {
         throw InputError(root.place_of(name),
                          fmt::format("is for formulation = \"thesis\", not \"{}\"; leave it out",
                                      name_of(scene.formulation)));
-  if (scene.ghosts == GhostTreatment::eta && scene.dimension != 1)
+  if (scene.ghosts == GhostClosure::eta && scene.dimension != 1)
     throw InputError(root.place_of("boundary_treatment"),
                      "the eta corrections exist in 1D only; allowed in 2D: consistent, as-printed");
-  if (scene.ghosts == GhostTreatment::eta && root.has("boundary_solver"))
+  if (scene.ghosts == GhostClosure::eta && root.has("boundary_solver"))
     throw InputError(root.place_of("boundary_solver"),
                      "the eta corrections factorise no matrix; leave it out");
 }
@@ -66,7 +67,7 @@ void check_held(const Scene& scene) {
 void check_kernel(const Scene& scene, const TableView& root) {
   const TableView kernel = root.table("kernel");
   const bool adjoint = is_adjoint(scene.formulation);
-  if (!adjoint && scene.kernel.correction != GradientCorrection::none)
+  if (!adjoint && scene.kernel.correction != Correction::none)
     throw InputError(kernel.place_of("correction"),
                      fmt::format("{} uses plain SPH sums; allowed: none (corrected gradients: "
                                  "variational)",
@@ -80,7 +81,7 @@ void check_order(const Scene& scene, const TableView& root) {
   if (!is_adjoint(scene.formulation))
     throw InputError(place, fmt::format("{} uses plain SPH sums; allowed: 1 (order 2: {})",
                                         name_of(scene.formulation), adjoint_formulations()));
-  if (scene.kernel.correction != GradientCorrection::least_squares)
+  if (scene.kernel.correction != Correction::least_squares)
     throw InputError(place, fmt::format("the correction \"{}\" is exact for linear fields only; "
                                         "allowed: 1 (order 2: least-squares)",
                                         name_of(scene.kernel.correction)));
@@ -110,7 +111,7 @@ void check_placement(const Scene& scene, const TableView& root) {
   const TableView body = root.table("body");
   if (scene.formulation == Formulation::variational) return;
   const auto name = name_of(scene.formulation);
-  if (scene.body.placement == Placement::cell_centred)
+  if (scene.body.placement == NodePlacement::cell_centred)
     throw InputError(body.place_of("placement"),
                      fmt::format("{} needs nodes on the boundary; allowed: on-boundary "
                                  "(cell-centred nodes: variational)",
@@ -248,10 +249,7 @@ void check_formulation(const Scene& scene, const TableView& root) {
 }
 
 void check_positions(const Scene& scene) {
-  if (scene.dimension == 1)
-    check_positions_in<1>(scene);
-  else
-    check_positions_in<2>(scene);
+  in_dimension(scene.dimension, [&]<int D>() { check_positions_in<D>(scene); });
 }
 
 void check_boundaries(const Scene& scene) {

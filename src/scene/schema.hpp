@@ -3,11 +3,14 @@
 /// The keys of a scene, each once: what it may hold, unit, default, range, meaning. The same rows
 /// check a file, supply its defaults and print `tlsph scene-reference`.
 
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "document.hpp"
+#include "tlsph/core/range.hpp"
 
 namespace tlsph {
 
@@ -24,6 +27,27 @@ enum Form : unsigned {
   tables = 256U,  // a list of tables, [[key]]
 };
 
+[[nodiscard]] constexpr Range at_least(double low) {
+  return {.low = low, .with_low = true};
+}
+/// With its ends.
+[[nodiscard]] constexpr Range closed(double low, double high) {
+  return {low, high, true, true};
+}
+
+/// The values of a key: words, numbers of a range, either of them, or whatever its form allows.
+struct Allowed {
+  std::vector<std::string> words;
+  std::optional<Range> range;
+
+  Allowed() = default;
+  Allowed(Range numbers) : range(numbers) {}
+  explicit Allowed(std::vector<std::string> names, std::optional<Range> numbers = {})
+      : words(std::move(names)), range(numbers) {}
+  /// `a | b | > 0`.
+  [[nodiscard]] std::string text() const;
+};
+
 /// One key. `group` names the table it stands in, "" the top level; `below` the group of the keys
 /// in its own table, if it holds one.
 struct Key {
@@ -33,8 +57,8 @@ struct Key {
   std::string below;
   std::string unit;
   std::string
-      standard;       ///< default: TOML, or a remark in parentheses; empty if the key is required
-  std::string range;  ///< `> 0`, `(-1, 0.5)`, `a | b`; joined by | where both forms are allowed
+      standard;  ///< default: TOML, or a remark in parentheses; empty if the key is required
+  Allowed allowed;
   std::string doc;
 };
 
@@ -52,8 +76,5 @@ void check_document(const Node& root);
 
 /// The word of `words` that `word` most likely was meant to be, empty if none is near.
 [[nodiscard]] std::string nearest(std::string_view word, const std::vector<std::string>& words);
-
-/// The alternatives of a range that are words.
-[[nodiscard]] std::vector<std::string> words_of(const std::string& range);
 
 }  // namespace tlsph

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <filesystem>
 
+#include "flat.hpp"
 #include "in_scene.hpp"
+#include "tlsph/core/dimensions.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/core/stop.hpp"
 #include "tlsph/dynamics/critical_step.hpp"
@@ -14,9 +16,9 @@
 #include "tlsph/io/matrix_market.hpp"
 #include "tlsph/io/new_files.hpp"
 #include "tlsph/io/operators_file.hpp"
+#include "tlsph/model/builder.hpp"
 #include "tlsph/operators/gradients.hpp"
 #include "tlsph/scene/names.hpp"
-#include "tlsph/simulation/builder.hpp"
 #include "tlsph/simulation/simulation.hpp"
 #include "tlsph/simulation/version.hpp"
 
@@ -24,10 +26,6 @@ namespace tlsph {
 namespace {
 
 constexpr std::array<const char*, 3> axes = {"x", "y", "z"};
-
-std::span<const double> flat(const auto& matrix) {
-  return {matrix.data(), static_cast<std::size_t>(matrix.size())};
-}
 
 /// Every name under which some export writes an operator.
 std::vector<std::string> operator_names() {
@@ -213,7 +211,7 @@ void export_operators(const Scene& scene, const std::filesystem::path& out) {
   const NewFiles made(out);
   try {
     in_scene(scene,
-             [&] { scene.dimension == 1 ? export_in<1>(scene, out) : export_in<2>(scene, out); });
+             [&] { in_dimension(scene.dimension, [&]<int D>() { export_in<D>(scene, out); }); });
   } catch (...) {  // half of the operators are of no use
     made.remove();
     throw;

@@ -7,12 +7,13 @@
 #include "memory.hpp"
 #include "parts.hpp"
 #include "savings.hpp"
+#include "tlsph/core/dimensions.hpp"
 #include "tlsph/dynamics/critical_step.hpp"
 #include "tlsph/dynamics/sweep.hpp"
 #include "tlsph/linear/factor_cost.hpp"
+#include "tlsph/model/builder.hpp"
 #include "tlsph/operators/consistency.hpp"
 #include "tlsph/scene/names.hpp"
-#include "tlsph/simulation/builder.hpp"
 #include "tlsph/simulation/simulation.hpp"
 
 namespace tlsph {
@@ -25,7 +26,7 @@ std::string operator_line(const char* name, Index rows, Index cols, Index nonzer
 }
 
 /// A plan does not wait longer than this for a factorisation [s].
-constexpr double patience = 20.0;
+constexpr double longest_correction = 20.0;
 /// Passes over the factor in the solves that follow a factorisation, and bytes read a second.
 constexpr double passes = 12.0, bandwidth = 8e9;
 
@@ -118,7 +119,7 @@ template <int D>
 std::string plan_in(const Scene& scene) {
   forget_peak_memory();
   const std::optional<CorrectionCost> correction = correction_cost<D>(scene);
-  const bool patient = !correction || correction->seconds <= patience;
+  const bool patient = !correction || correction->seconds <= longest_correction;
   const Discretisation<D> disc =
       build<D>(scene, patient ? Gradients::corrected : Gradients::fitted);
 
@@ -198,8 +199,9 @@ std::string plan_in(const Scene& scene) {
 }  // namespace
 
 Plan plan(const Scene& scene) {
-  return {in_scene(scene,
-                   [&] { return scene.dimension == 1 ? plan_in<1>(scene) : plan_in<2>(scene); })};
+  return {in_scene(scene, [&] {
+    return in_dimension(scene.dimension, [&]<int D>() { return plan_in<D>(scene); });
+  })};
 }
 
 }  // namespace tlsph

@@ -7,12 +7,13 @@
 #include "parts.hpp"
 #include "run_loop.hpp"
 #include "stopwatch.hpp"
+#include "tlsph/core/dimensions.hpp"
 #include "tlsph/core/free_cores.hpp"
 #include "tlsph/core/stop.hpp"
 #include "tlsph/io/files.hpp"
 #include "tlsph/linear/blas_threads.hpp"
+#include "tlsph/model/builder.hpp"
 #include "tlsph/scene/names.hpp"
-#include "tlsph/simulation/builder.hpp"
 #include "tlsph/simulation/version.hpp"
 
 namespace tlsph {
@@ -93,7 +94,7 @@ Summary run_in(const Scene& scene, const RunOptions& options) {
 
 Summary run(const Scene& scene, const RunOptions& options) {
   try {
-    return scene.dimension == 1 ? run_in<1>(scene, options) : run_in<2>(scene, options);
+    return in_dimension(scene.dimension, [&]<int D>() { return run_in<D>(scene, options); });
   } catch (const Stopped&) {  // in the set-up
     Summary summary;
     summary.interrupted = true;

@@ -1,21 +1,16 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
+#include <map>
 
+#include "flat.hpp"
 #include "run_loop.hpp"
 #include "stopwatch.hpp"
 #include "tlsph/io/check_sum.hpp"
 
 namespace tlsph {
 namespace {
-
-/// Doubles of a run that are no fields, in the order in which a checkpoint holds them.
-template <int D>
-constexpr std::size_t numbers = 19 + 2 * D;
-
-std::span<const double> flat(const auto& matrix) {
-  return {matrix.data(), static_cast<std::size_t>(matrix.size())};
-}
 
 /// What a state belongs to: nodes, volumes and the patches that carry the conditions.
 template <int D>
@@ -54,6 +49,77 @@ void require_own(const Checkpoint& checkpoint, const Scene& scene, const Particl
                                scene.body.cloud, here.file));
 }
 
+/// The values of a run by name, as `visit` hands them out.
+class SavedValues {
+ public:
+  void operator()(const std::string& name, double value) { arrays_[name] = {value}; }
+  void operator()(const std::string& name, long value) { integers_[name] = value; }
+  void operator()(const std::string& name, bool value) { integers_[name] = value ? 1 : 0; }
+  void operator()(const std::string& name, const std::optional<double>& value) {
+    arrays_[name].assign(value ? 1 : 0, value.value_or(0.0));
+  }
+  void operator()(const std::string& name, const std::vector<float>& values) {
+    arrays_[name].assign(values.begin(), values.end());
+  }
+  void operator()(const std::string& name, const std::optional<HyperbolicityLoss>& loss) {
+    std::vector<double>& values = arrays_[name];
+    if (!loss) return;
+    values = {loss->time, static_cast<double>(loss->point), loss->acoustic_eigenvalue};
+    values.insert(values.end(), loss->position.begin(), loss->position.end());
+    values.insert(values.end(), loss->stretches.begin(), loss->stretches.end());
+  }
+  template <class Derived>
+  void operator()(const std::string& name, const Eigen::PlainObjectBase<Derived>& field) {
+    fields_[name] = flat(field);
+  }
+
+  [[nodiscard]] CheckpointView view() const {
+    CheckpointView view{fields_, integers_, {}};
+    for (const auto& [name, values] : arrays_) view.arrays[name] = values;
+    return view;
+  }
+
+ private:
+  std::map<std::string, std::span<const double>> fields_;  ///< of the state itself
+  std::map<std::string, std::vector<double>> arrays_;
+  std::map<std::string, std::int64_t> integers_;
+};
+
+/// Takes them back.
+struct RestoredValues {
+  const Checkpoint& checkpoint;
+
+  void operator()(const std::string& name, double& value) const { value = checkpoint.number(name); }
+  void operator()(const std::string& name, long& value) const { value = checkpoint.integer(name); }
+  void operator()(const std::string& name, bool& value) const {
+    value = checkpoint.integer(name) != 0;
+  }
+  void operator()(const std::string& name, std::optional<double>& value) const {
+    value.reset();
+    if (const auto& values = checkpoint.array(name); !values.empty()) value = values.front();
+  }
+  void operator()(const std::string& name, std::optional<HyperbolicityLoss>& loss) const {
+    loss.reset();
+    const std::vector<double>& values = checkpoint.array(name);
+    if (values.size() < 3) return;
+    const auto position = values.begin() + 3;
+    const auto stretches = position + (values.end() - position) / 2;
+    loss = {values[0],
+            static_cast<Index>(values[1]),
+            {position, stretches},
+            {stretches, values.end()},
+            values[2]};
+  }
+  void operator()(const std::string& name, std::vector<float>& values) const {
+    std::ranges::transform(checkpoint.array(name, values.size()), values.begin(),
+                           [](double value) { return static_cast<float>(value); });
+  }
+  template <class Derived>
+  void operator()(const std::string& name, Eigen::PlainObjectBase<Derived>& field) const {
+    std::ranges::copy(checkpoint.array(name, static_cast<std::size_t>(field.size())), field.data());
+  }
+};
+
 }  // namespace
 
 template <int D>
@@ -64,71 +130,62 @@ bool RunLoop<D>::checkpoint_due() const {
 }
 
 template <int D>
+template <class Visit>
+void RunLoop<D>::visit(const Visit& visit) {
+  visit("u", state_.u);
+  visit("v", state_.v);
+  visit("step", state_.step);
+  visit("time", state_.time);
+  visit("last_dt", state_.last_dt);
+  visit("clock.start", clock_.start);
+  visit("clock.first", clock_.first);
+  visit("clock.count", clock_.count);
+  visit("clock.end", clock_.end);
+  visit("clock.dt", clock_.dt);
+  visit("critical.dt", critical_.dt);
+  visit("critical.scaled", critical_.scaled);
+  visit("ledger.external_work", ledger_.external_work);
+  visit("ledger.dissipated", ledger_.dissipated);
+  visit("ledger.impulse", ledger_.impulse);
+  visit("ledger.angular_impulse", ledger_.angular_impulse);
+  visit("first_energy", first_energy_);
+  visit("largest_energy", largest_energy_);
+  visit("drift", drift_);
+  visit("first_momentum", first_momentum_);
+  visit("first_angular", first_angular_);
+  visit("momentum_scale", momentum_scale_);
+  visit("angular_scale", angular_scale_);
+  visit("momentum_drift", momentum_drift_);
+  visit("angular_drift", angular_drift_);
+  visit("energy_scale", energy_scale_);
+  visit("speed", speed_);
+  visit("known_speed", known_speed_);
+  visit("hyperbolicity_lost", hyperbolicity_lost_);
+  visit("books_every", books_every_);
+  visit("next_frame", next_frame_);
+  if (follower_)
+    follower_->visit(
+        [&](const std::string& name, auto& value) { visit("follower." + name, value); });
+}
+
+template <int D>
 void RunLoop<D>::save_checkpoint() {
   if (!output_) return;
   const Stopwatch watch;
   last_checkpoint_ = Stopwatch::now();
   output_->flush();
   const OutputCounts counts = output_->counts();
-  CheckpointView view;
-  view.arrays["u"] = flat(state_.u);
-  view.arrays["v"] = flat(state_.v);
-  std::vector<double> values = {state_.time,
-                                state_.last_dt,
-                                clock_.start,
-                                clock_.end,
-                                clock_.dt,
-                                critical_.dt,
-                                critical_.scaled,
-                                ledger_.external_work,
-                                ledger_.dissipated,
-                                ledger_.angular_impulse,
-                                first_energy_,
-                                largest_energy_,
-                                drift_,
-                                first_angular_,
-                                momentum_scale_,
-                                angular_scale_,
-                                energy_scale_,
-                                speed_,
-                                known_speed_};
-  for (int i = 0; i < D; ++i) values.push_back(ledger_.impulse[i]);
-  for (int i = 0; i < D; ++i) values.push_back(first_momentum_[i]);
-  values.push_back(momentum_drift_);
-  values.push_back(angular_drift_);
-  view.arrays["numbers"] = values;
-  std::vector<double> followed, estimated_at, checked_at;
-  if (follower_) {
-    followed = follower_->numbers();
-    estimated_at.assign(follower_->estimated_at().begin(), follower_->estimated_at().end());
-    checked_at.assign(follower_->checked_at().begin(), follower_->checked_at().end());
-    view.arrays["follower"] = followed;
-    view.arrays["estimated_at"] = estimated_at;
-    view.arrays["checked_at"] = checked_at;
-  }
-  std::vector<double> lost;
-  if (hyperbolicity_lost_) {
-    lost = {hyperbolicity_lost_->time, hyperbolicity_lost_->acoustic_eigenvalue};
-    lost.insert(lost.end(), hyperbolicity_lost_->position.begin(),
-                hyperbolicity_lost_->position.end());
-    lost.insert(lost.end(), hyperbolicity_lost_->stretches.begin(),
-                hyperbolicity_lost_->stretches.end());
-    view.arrays["hyperbolicity_lost"] = lost;
-  }
-  view.integers = {{"step", state_.step},
-                   {"clock_first", clock_.first},
-                   {"clock_count", clock_.count},
-                   {"books_every", books_every_},
-                   {"next_frame", next_frame_},
-                   {"hyperbolicity_lost_at", hyperbolicity_lost_ ? hyperbolicity_lost_->point : -1},
-                   {"frames", static_cast<std::int64_t>(counts.run.frames)},
-                   {"series", static_cast<std::int64_t>(counts.run.series)},
-                   {"run_sum", std::bit_cast<std::int64_t>(counts.run.check_sum)},
-                   {"probes", static_cast<std::int64_t>(counts.probes.count)},
-                   {"probes_sum", std::bit_cast<std::int64_t>(counts.probes.sum.value())},
-                   {"exact_sum", std::bit_cast<std::int64_t>(counts.exact.sum.value())},
-                   {"particles", check_sum(disc_.particles)},
-                   {"threads", threads_}};
+  SavedValues saved;
+  visit([&](const std::string& name, const auto& value) { saved(name, value); });
+  CheckpointView view = saved.view();
+  view.integers.insert({{"frames", static_cast<std::int64_t>(counts.run.frames)},
+                        {"series", static_cast<std::int64_t>(counts.run.series)},
+                        {"run_sum", std::bit_cast<std::int64_t>(counts.run.check_sum)},
+                        {"probes", static_cast<std::int64_t>(counts.probes.count)},
+                        {"probes_sum", std::bit_cast<std::int64_t>(counts.probes.sum.value())},
+                        {"exact_sum", std::bit_cast<std::int64_t>(counts.exact.sum.value())},
+                        {"particles", check_sum(disc_.particles)},
+                        {"threads", threads_}});
   view.texts = {{"scene", scene_.text}};
   write_checkpoint(options_.out / "checkpoint.h5", view);
   output_seconds_ += watch.seconds();
@@ -137,40 +194,7 @@ void RunLoop<D>::save_checkpoint() {
 template <int D>
 void RunLoop<D>::resume_from(const Checkpoint& checkpoint) {
   require_own(checkpoint, scene_, disc_.particles);
-  const auto fill = [&](const char* name, auto& field) {
-    const auto& values = checkpoint.array(name, static_cast<std::size_t>(field.size()));
-    std::copy(values.begin(), values.end(), field.data());
-  };
-  fill("u", state_.u);
-  fill("v", state_.v);
-  const std::vector<double>& n = checkpoint.array("numbers", numbers<D> + 2);
-  std::size_t k = 0;
-  for (double* slot :
-       {&state_.time, &state_.last_dt, &clock_.start, &clock_.end, &clock_.dt, &critical_.dt,
-        &critical_.scaled, &ledger_.external_work, &ledger_.dissipated, &ledger_.angular_impulse,
-        &first_energy_, &largest_energy_, &drift_, &first_angular_, &momentum_scale_,
-        &angular_scale_, &energy_scale_, &speed_, &known_speed_})
-    *slot = n[k++];
-  for (int i = 0; i < D; ++i) ledger_.impulse[i] = n[k++];
-  for (int i = 0; i < D; ++i) first_momentum_[i] = n[k++];
-  momentum_drift_ = n[k++];
-  angular_drift_ = n[k++];
-  if (follower_) {
-    const auto size = static_cast<std::size_t>(state_.H.size());
-    follower_->restore(checkpoint.array("follower", StepFollower<D>::number_count),
-                       checkpoint.array("estimated_at", size),
-                       checkpoint.array("checked_at", size));
-  }
-  state_.step = checkpoint.integer("step");
-  clock_.first = checkpoint.integer("clock_first");
-  clock_.count = checkpoint.integer("clock_count");
-  books_every_ = checkpoint.integer("books_every");
-  next_frame_ = checkpoint.integer("next_frame");
-  if (const Index point = checkpoint.integer("hyperbolicity_lost_at"); point >= 0) {
-    const std::vector<double>& lost = checkpoint.array("hyperbolicity_lost", 2 + 2 * D);
-    hyperbolicity_lost_ = {
-        lost[0], point, {&lost[2], &lost[2] + D}, {&lost[2] + D, &lost[2] + 2 * D}, lost[1]};
-  }
+  visit(RestoredValues{checkpoint});
   const auto count = [&](const char* name) {
     return static_cast<std::size_t>(checkpoint.integer(name));
   };

@@ -29,7 +29,7 @@ std::vector<ProbeRequest<D>> probe_requests(const Scene& scene) {
   for (const ProbeScene& probe : scene.probes) {
     ProbeRequest<D> request{
         probe.name, Eigen::Map<const Vector<D>>(probe.at.data()), {}, probe.place};
-    for (const Quantity quantity : probe.record) request.quantities.emplace_back(name_of(quantity));
+    request.quantities = probe.record;
     requests.push_back(std::move(request));
   }
   return requests;

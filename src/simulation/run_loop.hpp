@@ -12,7 +12,7 @@
 #include "tlsph/dynamics/excerpt.hpp"
 #include "tlsph/dynamics/step_follower.hpp"
 #include "tlsph/dynamics/sweep.hpp"
-#include "tlsph/simulation/builder.hpp"
+#include "tlsph/model/builder.hpp"
 #include "tlsph/simulation/simulation.hpp"
 
 namespace tlsph {
@@ -36,6 +36,9 @@ class RunLoop {
 
  private:
   void plan_sweep(Summary& summary);
+  /// Calls `visit(name, value)` for all that a checkpoint holds of the run, its fields included.
+  template <class Visit>
+  void visit(const Visit& visit);
   void resume_from(const Checkpoint& checkpoint);
   void save_checkpoint();
   void choose_step(Summary& summary);

@@ -4,42 +4,16 @@
 #include <bit>
 #include <cmath>
 
-#include "tlsph/dynamics/measures.hpp"
+#include "flat.hpp"
 #include "tlsph/particles/delaunay.hpp"
-#include "tlsph/scene/names.hpp"
 #include "tlsph/simulation/version.hpp"
 
 namespace tlsph {
 namespace {
 
-std::span<const double> flat(const auto& matrix) {
-  return {matrix.data(), static_cast<std::size_t>(matrix.size())};
-}
-
 const std::filesystem::path& prepared(const std::filesystem::path& directory) {
   make_output_directory(directory);
   return directory;
-}
-
-FrameField frame_field(const std::string& name) {
-  const auto quantity = from_name<Quantity>(name);
-  switch (quantity.value_or(Quantity::displacement)) {
-    case Quantity::velocity:
-      return {name, Site::particles, Rank::vector, "m/s"};
-    case Quantity::acceleration:
-      return {name, Site::particles, Rank::vector, "m/s^2"};
-    case Quantity::deformation_gradient:
-      return {name, Site::points, Rank::tensor, "1"};
-    case Quantity::pk1:
-    case Quantity::cauchy:
-      return {name, Site::points, Rank::tensor, "Pa"};
-    case Quantity::pressure:
-    case Quantity::von_mises:
-      return {name, Site::points, Rank::scalar, "Pa"};
-    case Quantity::displacement:
-      break;
-  }
-  return {name, Site::particles, Rank::vector, "m"};
 }
 
 template <int D>
@@ -48,7 +22,10 @@ RunLayout layout_of(const Scene& scene, const Discretisation<D>& disc) {
   layout.dimension = D;
   layout.particles = static_cast<std::size_t>(disc.nodes());
   layout.points = static_cast<std::size_t>(disc.points.size());
-  for (const std::string& name : scene.output.fields) layout.fields.push_back(frame_field(name));
+  for (const std::string& name : scene.output.fields) {
+    const Quantity<D>& quantity = *find_quantity<D>(name);
+    layout.fields.push_back({name, quantity.site, quantity.rank, std::string(quantity.unit)});
+  }
   layout.series = series_layout<D>();
   layout.points_are_cells =
       !disc.particles.cells.empty() && layout.points == disc.particles.cells.size();
@@ -81,12 +58,6 @@ std::vector<std::int32_t> edges(const std::vector<Triangle>& triangles) {
   for (const auto& [a, b, left, right] : edges_of(triangles))
     nodes.insert(nodes.end(), {a, b, left, right});
   return nodes;
-}
-
-/// Columns of probes_exact.csv: what an ExactSolution can answer.
-bool has_exact(Quantity quantity) {
-  return quantity == Quantity::displacement || quantity == Quantity::velocity ||
-         quantity == Quantity::pk1 || quantity == Quantity::cauchy;
 }
 
 }  // namespace
@@ -138,12 +109,13 @@ RunOutput<D>::RunOutput(const std::filesystem::path& directory, const Scene& sce
   std::vector<std::string> known;  // of probes_exact.csv; empty: there is none
   if (exact.displacement && !scene.probes.empty()) {
     known = {"time"};
-    for (const std::string& column : probes.columns()) {
-      const std::string stem = column.substr(column.rfind('.') + 1);
-      for (const Quantity quantity :
-           {Quantity::displacement, Quantity::velocity, Quantity::pk1, Quantity::cauchy})
-        if (stem.starts_with(name_of(quantity))) known.push_back(column);
-    }
+    for (const ProbeScene& probe : scene.probes)
+      for (const std::string& name : probe.record) {
+        const Quantity<D>& quantity = *find_quantity<D>(name);
+        if (quantity.exact == nullptr) continue;
+        for (const std::string& suffix : component_suffixes<D>(quantity))
+          known.push_back(probe.name + '.' + name + suffix);
+      }
   }
   const auto run_path = directory / "run.h5";
   const auto probes_path = directory / "probes.csv";
@@ -164,34 +136,19 @@ RunOutput<D>::RunOutput(const std::filesystem::path& directory, const Scene& sce
 template <int D>
 std::span<const double> RunOutput<D>::field(const std::string& name, const Discretisation<D>& disc,
                                             const State<D>& state, double dt) {
-  if (name == "displacement") return flat(state.u);
+  if (name == "displacement") return flat(state.u);  // as they are, without a copy
   if (name == "pk1") return flat(state.P);
-  const auto quantity = from_name<Quantity>(name).value_or(Quantity::displacement);
+  const Quantity<D>& quantity = *find_quantity<D>(name);
+  const bool moves = quantity.site == Site::particles;
+  const Index rows = moves ? disc.nodes() : disc.points.size();
   std::vector<double>& out = scratch_[name];
   out.clear();
-  if (quantity == Quantity::velocity || quantity == Quantity::acceleration) {
-    out.reserve(static_cast<std::size_t>(state.v.size()));
-    for (Index dof = 0; dof < state.v.size(); ++dof) {
-      const NodalMotion motion = motion_of<D>(disc, state, dt, dof);
-      out.push_back(quantity == Quantity::velocity ? motion.velocity : motion.acceleration);
-    }
-    return out;
-  }
-  const bool scalar = quantity == Quantity::pressure || quantity == Quantity::von_mises;
-  out.reserve(static_cast<std::size_t>(disc.points.size() * (scalar ? 1 : D * D)));
-  for (Index s = 0; s < disc.points.size(); ++s) {
-    const Tensor<D> H = tensor_at<D>(state.H, s);
-    const StressMeasures<D> stress =
-        stress_measures<D>(disc.regions[region_of<D>(disc, s)], H, tensor_at<D>(state.P, s));
-    const Tensor<D> F = Tensor<D>::Identity() + H;
-    if (quantity == Quantity::pressure)
-      out.push_back(stress.pressure);
-    else if (quantity == Quantity::von_mises)
-      out.push_back(stress.von_mises);
-    else
-      for (int i = 0; i < D; ++i)
-        for (int j = 0; j < D; ++j)
-          out.push_back(quantity == Quantity::cauchy ? stress.cauchy(i, j) : F(i, j));
+  out.reserve(static_cast<std::size_t>(rows) * component_count(quantity.rank, D));
+  for (Index row = 0; row < rows; ++row) {
+    const Observed<D> seen =
+        moves ? observed_particle<D>(disc, state, dt, row) : observed_point<D>(disc, state, row);
+    for_components<D>(quantity.rank, false,
+                      [&](int i, int j) { out.push_back(quantity.value(seen, i, j)); });
   }
   return out;
 }
@@ -234,18 +191,12 @@ void RunOutput<D>::write_exact(double time) {
   exact_row_[out++] = time;
   for (const ProbeScene& probe : requests_) {
     const Vector<D> X = Eigen::Map<const Vector<D>>(probe.at.data());
-    for (const Quantity quantity : probe.record) {
-      if (!has_exact(quantity)) continue;
-      if (quantity == Quantity::displacement || quantity == Quantity::velocity) {
-        const Vector<D> value = quantity == Quantity::displacement ? exact_->displacement(X, time)
-                                                                   : exact_->velocity(X, time);
-        for (int i = 0; i < D; ++i) exact_row_[out++] = value[i];
-      } else {
-        const Tensor<D> value = exact_->stress(X, time);
-        for (int i = 0; i < D; ++i)
-          for (int j = quantity == Quantity::cauchy ? i : 0; j < D; ++j)
-            exact_row_[out++] = value(i, j);
-      }
+    for (const std::string& name : probe.record) {
+      const Quantity<D>& quantity = *find_quantity<D>(name);
+      if (quantity.exact == nullptr) continue;
+      for_components<D>(quantity.rank, quantity.symmetric, [&](int i, int j) {
+        exact_row_[out++] = quantity.exact(*exact_, X, time, i, j);
+      });
     }
   }
   exact_file_->row(std::span<const double>(exact_row_).first(out));

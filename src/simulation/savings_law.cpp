@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "savings.hpp"
+#include "tlsph/core/dimensions.hpp"
 #include "tlsph/curves/curve.hpp"
 #include "tlsph/geometry/region.hpp"
 #include "tlsph/scene/names.hpp"
@@ -40,7 +41,7 @@ Size box_size(const Scene& scene) {
 }
 
 Size size_of(const Scene& scene) {
-  Size size = scene.dimension == 1 ? box_size<1>(scene) : box_size<2>(scene);
+  Size size = in_dimension(scene.dimension, [&]<int D>() { return box_size<D>(scene); });
   if (size.bends && to_one_dimension(scene)) size.bends = false;
   return size;
 }
@@ -76,10 +77,10 @@ double speed_of(const InitialField& field, const Size& size) {
 double strain_estimate(const Scene& scene) {
   const Size size = size_of(scene);
   const double ratio = size.bends ? size.slenderness : 1.0;
-  double young = scene.materials.front().young;
+  double young = scene.materials.front().moduli().young;
   double density = scene.materials.front().density;
   for (const MaterialScene& region : scene.materials) {
-    young = std::min(young, region.young);
+    young = std::min(young, region.moduli().young);
     density = std::max(density, region.density);
   }
   const double speed = std::sqrt(young / density);

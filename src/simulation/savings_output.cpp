@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "savings.hpp"
-#include "tlsph/scene/names.hpp"
+#include "tlsph/observe/quantity.hpp"
 
 namespace tlsph::savings {
 namespace {
@@ -16,29 +16,15 @@ constexpr double time_share = 0.25, stress_share = 0.25;
 /// Less is not worth a word: bytes of stress, seconds of writing.
 constexpr double worth = 1e5, worth_seconds = 0.2;
 
-bool is_stress(Quantity quantity) {
-  return quantity == Quantity::pk1 || quantity == Quantity::cauchy ||
-         quantity == Quantity::pressure || quantity == Quantity::von_mises;
+bool is_stress(const std::string& quantity) {
+  return find_quantity<2>(quantity)->unit == "Pa";
 }
 
 template <int D>
-double bytes_of(Quantity quantity, const Discretisation<D>& disc) {
-  const auto nodes = static_cast<double>(disc.nodes());
-  const auto points = static_cast<double>(disc.points.size());
-  switch (quantity) {
-    case Quantity::displacement:
-    case Quantity::velocity:
-    case Quantity::acceleration:
-      return 8.0 * D * nodes;
-    case Quantity::pressure:
-    case Quantity::von_mises:
-      return 8.0 * points;
-    case Quantity::cauchy:
-    case Quantity::deformation_gradient:
-    case Quantity::pk1:
-      break;
-  }
-  return 8.0 * D * D * points;
+double bytes_of(const std::string& name, const Discretisation<D>& disc) {
+  const Quantity<D>& quantity = *find_quantity<D>(name);
+  const Index rows = quantity.site == Site::particles ? disc.nodes() : disc.points.size();
+  return 8.0 * static_cast<double>(component_count(quantity.rank, D)) * static_cast<double>(rows);
 }
 
 bool is_read(const Scene& scene) {
@@ -53,8 +39,7 @@ bool is_read(const Scene& scene) {
 template <int D>
 double frame_bytes(const Scene& scene, const Discretisation<D>& disc) {
   double frame = 0.0;
-  for (const std::string& field : scene.output.fields)
-    frame += bytes_of<D>(*from_name<Quantity>(field), disc);
+  for (const std::string& field : scene.output.fields) frame += bytes_of<D>(field, disc);
   return frame;
 }
 
@@ -65,9 +50,8 @@ std::string of_output(const Scene& scene, const Discretisation<D>& disc, double 
   double stress = 0.0;
   std::vector<std::string> others;
   for (const std::string& field : scene.output.fields) {
-    const Quantity quantity = *from_name<Quantity>(field);
-    const double bytes = bytes_of<D>(quantity, disc);
-    if (is_stress(quantity))
+    const double bytes = bytes_of<D>(field, disc);
+    if (is_stress(field))
       stress += bytes;
     else
       others.push_back(fmt::format("\"{}\"", field));

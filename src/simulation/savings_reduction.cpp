@@ -3,9 +3,10 @@
 #include <vector>
 
 #include "savings.hpp"
+#include "tlsph/core/dimensions.hpp"
+#include "tlsph/model/builder.hpp"
 #include "tlsph/scene/edit.hpp"
 #include "tlsph/scene/reader.hpp"
-#include "tlsph/simulation/builder.hpp"
 #include "tlsph/simulation/reduction.hpp"
 
 namespace tlsph::savings {
@@ -19,8 +20,8 @@ Index particles_of(const Scene& scene, const Reduction& reduction) {
   try {
     const Scene smaller = read_scene_text(
         edit_scene_text(scene.text, scene.file, removed, reduction.overrides), scene.file);
-    return smaller.dimension == 1 ? build_particles<1>(smaller).size()
-                                  : build_particles<2>(smaller).size();
+    return in_dimension(smaller.dimension,
+                        [&]<int D>() { return build_particles<D>(smaller).size(); });
   } catch (const InputError&) {
     return 0;
   }

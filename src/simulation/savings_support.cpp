@@ -2,16 +2,16 @@
 
 #include "savings.hpp"
 #include "tlsph/dynamics/critical_step.hpp"
+#include "tlsph/model/builder.hpp"
 #include "tlsph/scene/edit.hpp"
 #include "tlsph/scene/names.hpp"
 #include "tlsph/scene/reader.hpp"
-#include "tlsph/simulation/builder.hpp"
 
 namespace tlsph::savings {
 namespace {
 
 /// A saving below this share of the time is not worth a word.
-constexpr double worth = 0.9;
+constexpr double worth_share = 0.9;
 /// Points beyond which a second set of operators is not built for the sake of a word.
 constexpr Index many = 200000;
 
@@ -42,7 +42,7 @@ std::string of_support(const Scene& scene, const Discretisation<D>& disc, double
     const double before = entries_per_row(disc);
     const double after = entries_per_row(smaller);
     const double share = after / before * dt / critical_step<D>(smaller, state).dt;
-    if (share > worth) return "";
+    if (share > worth_share) return "";
     const std::string name = needed.kernel.support
                                  ? fmt::format("support {}", *needed.kernel.support)
                                  : std::string("the nodes of each cell (no kernel.support)");

@@ -15,15 +15,16 @@ namespace {
 /// A cantilever 8 (4) spacings high, of these and of a square lattice: deflections differ by 0.1 %
 /// (0.4 %) at a Poisson's ratio of 0.3, 0.4 % (1.4 %) at 0.45, 1.5 % (5.4 %) at 0.49, 8.8 % (28 %)
 /// at 0.499; in plane stress by 0.4 % at most with 4.
-constexpr double locks_from = 0.45;
+constexpr double locks_from = 0.45, rounding = 1e-9;
 
 std::optional<std::string> locking(const Scene& scene) {
   const bool edge_points = scene.dimension == 2 && scene.body.is_cloud() &&
                            scene.formulation == Formulation::stress_point;
   double poisson = 0.0;
   for (const MaterialScene& material : scene.materials)
-    if (material.assumption == Assumption::strain) poisson = std::max(poisson, material.poisson);
-  if (!edge_points || poisson < locks_from) return std::nullopt;
+    if (material.assumption == Assumption::strain)
+      poisson = std::max(poisson, material.moduli().poisson);
+  if (!edge_points || poisson < locks_from - rounding) return std::nullopt;
   return fmt::format(
       "stress points on the edges of triangles lock in plane strain as poisson nears 0.5, here it "
       "is "

@@ -10,6 +10,7 @@
 #include "crush.hpp"
 #include "failure.hpp"
 #include "judge.hpp"
+#include "tlsph/core/dimensions.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/core/stop.hpp"
 #include "tlsph/io/files.hpp"
@@ -62,10 +63,9 @@ std::vector<Piece> pieces_of(const Subject& subject, FirstVibration& first) {
   for (const Method& method : atlas_methods(subject.dimension))
     pieces.push_back({"waves of " + method.name, 1.0, [&subject, method](Atlas& atlas) {
                         try {
-                          atlas.waves.push_back(
-                              subject.dimension == 1
-                                  ? wave_row<1>(subject, method, subject.poisson)
-                                  : wave_row<2>(subject, method, subject.poisson));
+                          atlas.waves.push_back(in_dimension(subject.dimension, [&]<int D>() {
+                            return wave_row<D>(subject, method, subject.poisson);
+                          }));
                         } catch (const InputError&) {
                           // The rows of the method say why it cannot be built.
                         }

@@ -5,6 +5,7 @@
 
 #include "tlsph/analysis/motion_growth.hpp"
 #include "tlsph/contrast/current_lattice.hpp"
+#include "tlsph/core/dimensions.hpp"
 #include "tlsph/core/error.hpp"
 
 namespace tlsph {
@@ -62,8 +63,8 @@ ContrastRow at_stress(const Subject& subject, double ratio) {
 std::vector<ContrastRow> contrast_rows(const Subject& subject) {
   std::vector<ContrastRow> rows;
   for (const double ratio : {-0.05, 0.0, 0.05, 0.1})
-    rows.push_back(subject.dimension == 1 ? at_stress<1>(subject, ratio)
-                                          : at_stress<2>(subject, ratio));
+    rows.push_back(
+        in_dimension(subject.dimension, [&]<int D>() { return at_stress<D>(subject, ratio); }));
   return rows;
 }
 

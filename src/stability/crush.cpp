@@ -10,10 +10,11 @@
 #include <string_view>
 #include <utility>
 
+#include "tlsph/core/dimensions.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/dynamics/step_follower.hpp"
 #include "tlsph/materials/kinematics.hpp"
-#include "tlsph/simulation/builder.hpp"
+#include "tlsph/model/builder.hpp"
 
 namespace tlsph {
 namespace {
@@ -142,10 +143,8 @@ CrushRow crush_row(const Subject& subject, const Method& method, Motion motion, 
   row.motion = motion == Motion::pressed ? "pressed" : "struck";
   row.speed = speed;
   row.safety = safety;
-  if (subject.dimension == 1)
-    crush<1>(body, method, motion, speed, follow, finer == 1, row);
-  else
-    crush<2>(body, method, motion, speed, follow, finer == 1, row);
+  in_dimension(subject.dimension,
+               [&]<int D>() { crush<D>(body, method, motion, speed, follow, finer == 1, row); });
   return row;
 }
 

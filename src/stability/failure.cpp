@@ -22,9 +22,9 @@ std::string plural(const std::set<double>& values, const char* name) {
 }
 
 /// Methods, layouts and parameters of the rows.
-std::string extent(const Rows& rows) {
+std::string extent_of_states(const Rows& rows) {
   std::vector<std::string> methods;
-  std::set<double> jitter, poisson, stretch;
+  std::set<double> jitter, poisson, stretches;
   std::set<std::string> bodies;
   for (const AtlasRow* row : rows) {
     if (std::ranges::find(methods, row->method) == methods.end()) methods.push_back(row->method);
@@ -124,7 +124,7 @@ std::string evidence(const AtlasRow& row) {
 
 /// One region: its worst row that has a cure, and the cure.
 Failure region(const Atlas& atlas, const Rows& rows, const Words& words) {
-  Failure failure{extent(rows), words.what, words.why, words.cure, "", "", 0};
+  Failure failure{extent_of_states(rows), words.what, words.why, words.cure, "", "", 0};
   failure.states = static_cast<Index>(rows.size());
   const AtlasRow* worst = nullptr;
   const AtlasRow* cure = nullptr;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "perturbed.hpp"
+#include "tlsph/core/dimensions.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/materials/waves.hpp"
 #include "tlsph/scene/names.hpp"
@@ -119,7 +120,7 @@ double FirstVibration::of(const StateKey& key, Support support) {
     const Index rigid = support == Support::free ? rigid_motions<D> : 0;
     return std::sqrt(smallest_square(spectrum, rigid));
   };
-  const double omega = subject_.dimension == 1 ? find.operator()<1>() : find.operator()<2>();
+  const double omega = in_dimension(subject_.dimension, find);
   return known_.emplace(name, omega).first->second;
 }
 
@@ -138,10 +139,7 @@ AtlasRow judge(const Subject& subject, const StateKey& key, FirstVibration& firs
                      ? "cell"
                      : scene.kernel.family;
     row.support = scene.kernel.support.value_or(not_known);
-    if (subject.dimension == 1)
-      look_at<1>(subject, key, first, row);
-    else
-      look_at<2>(subject, key, first, row);
+    in_dimension(subject.dimension, [&]<int D>() { look_at<D>(subject, key, first, row); });
   } catch (const InputError& error) {
     row.refusal = error.what();
     row.verdict = Verdict::refused;

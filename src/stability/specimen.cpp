@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tlsph/core/dimensions.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/geometry/region.hpp"
+#include "tlsph/model/builder.hpp"
 #include "tlsph/scene/reader.hpp"
-#include "tlsph/simulation/builder.hpp"
 
 namespace tlsph {
 namespace {
@@ -98,9 +99,13 @@ Subject read_subject(const std::filesystem::path& file, const std::vector<std::s
   const Scene scene = subject.read(subject.overrides);
   subject.dimension = scene.dimension;
   subject.spacing = scene.body.spacing;
-  subject.poisson = scene.materials.front().poisson;
-  subject.young = scene.materials.front().young;
-  subject.density = scene.materials.front().density;
+  const MaterialScene& material = scene.materials.front();
+  if (!material.constant("poisson"))
+    throw InputError(material.place,
+                     "the atlas varies material.poisson; choose a law that has this constant");
+  subject.poisson = *material.constant("poisson");
+  subject.young = material.moduli().young;
+  subject.density = material.density;
   const auto look = [&]<int D>() {
     const Box<D> box = extent<D>(scene);
     subject.lower = {box.lower.begin(), box.lower.end()};
@@ -110,10 +115,7 @@ Subject read_subject(const std::filesystem::path& file, const std::vector<std::s
     subject.spacing = particles.spacing;
     subject.box = particles.frame.has_value();
   };
-  if (scene.dimension == 1)
-    look.operator()<1>();
-  else
-    look.operator()<2>();
+  in_dimension(scene.dimension, look);
   return subject;
 }
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "tlsph/dynamics/linearised.hpp"
-#include "tlsph/simulation/builder.hpp"
+#include "tlsph/model/builder.hpp"
 
 namespace tlsph {
 namespace {

@@ -11,10 +11,11 @@
 #include <variant>
 
 #include "tlsph/core/cpu_clock.hpp"
+#include "tlsph/core/dimensions.hpp"
 #include "tlsph/dynamics/critical_step.hpp"
 #include "tlsph/dynamics/sweep.hpp"
+#include "tlsph/model/builder.hpp"
 #include "tlsph/scene/reader.hpp"
-#include "tlsph/simulation/builder.hpp"
 #include "tlsph/studies/plain_step.hpp"
 
 namespace tlsph {
@@ -216,8 +217,8 @@ BenchmarkTable benchmark(const BenchmarkOptions& options) {
       break;
     }
     if (options.before_case) options.before_case(entry.name);
-    table.rows.push_back(entry.dimension == 1 ? measure<1>(entry, options, table)
-                                              : measure<2>(entry, options, table));
+    table.rows.push_back(
+        in_dimension(entry.dimension, [&]<int D>() { return measure<D>(entry, options, table); }));
     if (!options.out.empty()) table.write(options.out);
   }
   return table;

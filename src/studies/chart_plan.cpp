@@ -8,10 +8,11 @@
 
 #include "peers.hpp"
 #include "probe_values.hpp"
+#include "tlsph/core/dimensions.hpp"
 #include "tlsph/core/error.hpp"
+#include "tlsph/model/builder.hpp"
 #include "tlsph/scene/names.hpp"
 #include "tlsph/scene/reader.hpp"
-#include "tlsph/simulation/builder.hpp"
 
 namespace tlsph {
 namespace {
@@ -30,7 +31,7 @@ double divided_spacing(const ChartRequest& request, double spacing) {
   std::vector<std::string> overrides = request.overrides;
   overrides.push_back(fmt::format("body.spacing={}", spacing));
   const Scene scene = read_scene(request.scene, overrides);
-  return scene.dimension == 1 ? divided<1>(scene) : divided<2>(scene);
+  return in_dimension(scene.dimension, [&]<int D>() { return divided<D>(scene); });
 }
 
 /// Spacings that divide the body; those that are asked for must.
@@ -115,7 +116,7 @@ ChartPlan plan_chart(const ChartRequest& request) {
   }
   check_peers(request.peers, request.overrides);
   plan.ladder = ladder_of(request, plan.scene.body.spacing);
-  plan.scene.dimension == 1 ? check_buildable<1>(plan.scene) : check_buildable<2>(plan.scene);
+  in_dimension(plan.scene.dimension, [&]<int D>() { check_buildable<D>(plan.scene); });
   return plan;
 }
 

@@ -6,11 +6,12 @@
 #include <cmath>
 
 #include "probe_values.hpp"
+#include "tlsph/core/dimensions.hpp"
 #include "tlsph/core/error.hpp"
+#include "tlsph/model/builder.hpp"
 #include "tlsph/observe/probes.hpp"
 #include "tlsph/scene/names.hpp"
 #include "tlsph/scene/reader.hpp"
-#include "tlsph/simulation/builder.hpp"
 
 namespace tlsph {
 namespace {
@@ -144,7 +145,7 @@ class Planner {
       for (PlannedRun& run : level) run.folder = folder / run.folder;
     check_levels(series.levels.size(), coarsest);
     check_seeds(series.levels.front());
-    coarsest.dimension == 1 ? check_buildable<1>(coarsest) : check_buildable<2>(coarsest);
+    in_dimension(coarsest.dimension, [&]<int D>() { check_buildable<D>(coarsest); });
     return series;
   }
 
@@ -167,7 +168,7 @@ class Planner {
       run.scene = scene_of(overrides);
       if (levels.empty()) check_levels(spacings_.size(), run.scene);
       run.folder = fmt::format("{}", spacing);
-      run.scene.dimension == 1 ? divide<1>(run) : divide<2>(run);
+      in_dimension(run.scene.dimension, [&]<int D>() { divide<D>(run); });
       if (!levels.empty() && !(run.spacing < levels.back().front().spacing * (1.0 - 1e-9)))
         throw InputError(spacing_option,
                          fmt::format("{} divides the body like the spacing before it, into {}; "
@@ -205,7 +206,7 @@ class Planner {
       run.sample = cloud;
       run.folder = stem_of(cloud);
       if (namesakes > 0) run.folder += fmt::format("-{}", namesakes + 1);
-      run.scene.dimension == 1 ? divide<1>(run) : divide<2>(run);
+      in_dimension(run.scene.dimension, [&]<int D>() { divide<D>(run); });
       runs.push_back(std::move(run));
     }
     std::ranges::stable_sort(runs, {}, &PlannedRun::particles);
@@ -237,7 +238,7 @@ class Planner {
     if (request_.seeds.size() < 2) return;
     const Scene& a = samples[0].scene;
     const Scene& b = samples[1].scene;
-    if (a.dimension == 1 ? same_particles<1>(a, b) : same_particles<2>(a, b))
+    if (in_dimension(a.dimension, [&]<int D>() { return same_particles<D>(a, b); }))
       throw InputError(seed_option,
                        "the particles do not depend on it; move them, with body.jitter=0.2");
   }

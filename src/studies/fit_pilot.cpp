@@ -6,7 +6,7 @@
 #include "fit_plan.hpp"
 #include "probe_values.hpp"
 #include "tlsph/analysis/history.hpp"
-#include "tlsph/simulation/builder.hpp"
+#include "tlsph/model/builder.hpp"
 
 namespace tlsph {
 namespace {

@@ -10,9 +10,10 @@
 
 #include "chart_plan.hpp"
 #include "probe_values.hpp"
+#include "tlsph/core/dimensions.hpp"
 #include "tlsph/core/error.hpp"
+#include "tlsph/filling/division.hpp"
 #include "tlsph/geometry/region.hpp"
-#include "tlsph/particles/division.hpp"
 #include "tlsph/scene/edit.hpp"
 #include "tlsph/scene/names.hpp"
 #include "tlsph/scene/reader.hpp"
@@ -80,8 +81,7 @@ Read read_of(const std::string& value, const Scene& scene) {
     const ProbeScene& probe = scene.probes[k];
     if (!column.starts_with(probe.name + ".")) continue;
     const std::string quantity = column.substr(probe.name.size() + 1);
-    for (const Quantity recorded : probe.record) {
-      const std::string stem(name_of(recorded));
+    for (const std::string& stem : probe.record) {
       if (quantity == stem) return {k, stem, ""};
       if (quantity.starts_with(stem + "_")) return {k, stem, quantity.substr(stem.size() + 1)};
     }
@@ -177,8 +177,8 @@ FitPlan plan_fit(const FitRequest& request) {
 }
 
 double next_division(const Scene& scene, double spacing) {
-  return scene.dimension == 1 ? next_division_in<1>(scene, spacing)
-                              : next_division_in<2>(scene, spacing);
+  return in_dimension(scene.dimension,
+                      [&]<int D>() { return next_division_in<D>(scene, spacing); });
 }
 
 }  // namespace tlsph

@@ -16,10 +16,8 @@ bool belongs_to(const std::string& column, const std::string& quantity) {
 std::vector<std::string> recorded_quantities(const Scene& scene) {
   std::vector<std::string> names;
   for (const ProbeScene& probe : scene.probes)
-    for (const Quantity quantity : probe.record) {
-      const std::string name(name_of(quantity));
+    for (const std::string& name : probe.record)
       if (std::ranges::find(names, name) == names.end()) names.push_back(name);
-    }
   return names;
 }
 

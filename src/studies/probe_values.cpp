@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "tlsph/analysis/oscillation.hpp"
+#include "tlsph/core/dimensions.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/observe/probes.hpp"
 #include "tlsph/scene/names.hpp"
@@ -33,9 +34,9 @@ template <int D>
 std::vector<std::string> columns_of(const Scene& scene) {
   std::vector<std::string> columns;
   for (const ProbeScene& probe : scene.probes)
-    for (const Quantity quantity : probe.record)
-      for (const std::string& suffix : component_suffixes<D>(name_of(quantity)))
-        columns.push_back(fmt::format("{}.{}{}", probe.name, name_of(quantity), suffix));
+    for (const std::string& name : probe.record)
+      for (const std::string& suffix : component_suffixes<D>(*find_quantity<D>(name)))
+        columns.push_back(fmt::format("{}.{}{}", probe.name, name, suffix));
   return columns;
 }
 
@@ -52,7 +53,7 @@ double read_value(const std::string& word, const std::vector<double>& time,
 
 void check_value_names(const std::vector<std::string>& names, const Scene& scene) {
   const std::vector<std::string> columns =
-      scene.dimension == 1 ? columns_of<1>(scene) : columns_of<2>(scene);
+      in_dimension(scene.dimension, [&]<int D>() { return columns_of<D>(scene); });
   for (const std::string& name : names) {
     const auto [column, word] = split(name);
     if (std::ranges::find(words, word) == words.end())

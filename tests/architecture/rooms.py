@@ -6,6 +6,9 @@ The rooms and what each may include are read from src/CMakeLists.txt, where they
 all that `simulation` may; so may the programs. Third parties have one door each, listed below.
 
     rooms.py [SOURCE_DIR]     prints a line for each violation; exit code 1 if there is any
+    rooms.py --lines          prints the lines of each room
+
+A room of the library includes no room marked STUDY.
 
 A file longer than 300 lines earns a warning, a header without `#pragma once` is a violation.
 """
@@ -60,6 +63,21 @@ def allowed_rooms(cmake_text):
     return table
 
 
+def studies(cmake_text):
+    """The rooms marked STUDY, which the library is without."""
+    return set(re.findall(r"\btlsph_room\((\w+)\s+STUDY\b", cmake_text))
+
+
+def count_lines(root):
+    """{room: lines of its headers and sources}."""
+    lines = {}
+    for top in ("include/tlsph", "src"):
+        for path in (root / top).rglob("*.[ch]pp"):
+            room = path.relative_to(root / top).parts[0]
+            lines[room] = lines.get(room, 0) + len(path.read_text().splitlines())
+    return lines
+
+
 def check_include(quote, target, room, public, folder, table):
     """The complaint about one include line, or None."""
     if target.startswith("tlsph/"):
@@ -87,8 +105,12 @@ def check_include(quote, target, room, public, folder, table):
 
 def check(root):
     """(violations, warnings), each a list of printable lines."""
-    table = allowed_rooms((root / "src/CMakeLists.txt").read_text())
+    cmake_text = (root / "src/CMakeLists.txt").read_text()
+    table, outside = allowed_rooms(cmake_text), studies(cmake_text)
     violations, warnings = [], []
+    for room in set(table) - outside - {"programs"}:
+        for study in table[room] & outside:
+            violations.append(f"src/CMakeLists.txt: {room}, of the library, may include the study {study}")
     for top in ("include/tlsph", "src"):
         for path in sorted((root / top).rglob("*.[ch]pp")):
             place, room = path.relative_to(root), path.relative_to(root / top).parts[0]
@@ -110,7 +132,15 @@ def check(root):
 
 
 def main():
-    root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parents[2])
+    arguments = [argument for argument in sys.argv[1:] if argument != "--lines"]
+    root = pathlib.Path(arguments[0] if arguments else pathlib.Path(__file__).parents[2])
+    if "--lines" in sys.argv:
+        outside = studies((root / "src/CMakeLists.txt").read_text())
+        lines = count_lines(root)
+        for room, count in sorted(lines.items(), key=lambda entry: -entry[1]):
+            print(f"{room:12} {count:6}{'  study' if room in outside else ''}")
+        print(f"{'all':12} {sum(lines.values()):6}")
+        return 0
     violations, warnings = check(root)
     for line in warnings:
         print(f"warning: {line}")

@@ -18,13 +18,13 @@ tlsph_room(studies ROOMS simulation)
 
 
 class Rooms(unittest.TestCase):
-    def check(self, **files):
+    def check(self, cmake=CMAKE, **files):
         """Complaints about a small tree; a key `src__io__a_cpp` is the file src/io/a.cpp."""
         with tempfile.TemporaryDirectory() as folder:
             root = pathlib.Path(folder)
             for name in ("include/tlsph", "src"):
                 (root / name).mkdir(parents=True)
-            (root / "src/CMakeLists.txt").write_text(CMAKE)
+            (root / "src/CMakeLists.txt").write_text(cmake)
             for key, text in files.items():
                 stem, suffix = key.replace("__", "/").rsplit("_", 1)
                 path = root / f"{stem}.{suffix}"
@@ -47,6 +47,21 @@ class Rooms(unittest.TestCase):
     def test_a_room_may_be_named_only_after_its_declaration(self):
         with self.assertRaises(SystemExit):
             rooms.allowed_rooms("tlsph_room(a ROOMS b)\ntlsph_room(b)")
+
+    def test_the_library_includes_no_study(self):
+        cmake = "tlsph_room(core)\ntlsph_room(chart STUDY ROOMS core)\ntlsph_room(plan ROOMS {})\n"
+        self.assertEqual(self.check(cmake.format("core"))[0], [])
+        violations, _ = self.check(cmake.format("core chart"))
+        self.assertEqual(len(violations), 1, violations)
+        self.assertIn("plan, of the library, may include the study chart", violations[0])
+
+    def test_lines_are_counted_by_room(self):
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            for name in ("include/tlsph/io/a.hpp", "src/io/a.cpp"):
+                (root / name).parent.mkdir(parents=True)
+                (root / name).write_text("1\n2\n")
+            self.assertEqual(rooms.count_lines(root), {"io": 4})
 
     def test_what_is_allowed_passes(self):
         violations, warnings = self.check(

@@ -14,8 +14,8 @@
 #include <utility>
 
 #include "tlsph/dynamics/sweep.hpp"
+#include "tlsph/model/builder.hpp"
 #include "tlsph/scene/reader.hpp"
-#include "tlsph/simulation/builder.hpp"
 #include "tlsph/studies/plain_step.hpp"
 
 namespace tlsph {

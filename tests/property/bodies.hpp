@@ -21,8 +21,8 @@
 #include "tlsph/dynamics/ledger.hpp"
 #include "tlsph/dynamics/state.hpp"
 #include "tlsph/kernels/families.hpp"
+#include "tlsph/model/builder.hpp"
 #include "tlsph/scene/reader.hpp"
-#include "tlsph/simulation/builder.hpp"
 
 namespace tlsph::property {
 

@@ -14,14 +14,13 @@
 #include <vector>
 
 #include "tlsph/boundary/extension.hpp"
+#include "tlsph/boundary/ghost_closure.hpp"
 #include "tlsph/linear/factorization.hpp"
 #include "tlsph/operators/lattice_stencil.hpp"
 #include "tlsph/operators/vector_operator.hpp"
 #include "tlsph/particles/ghosts.hpp"
 
 namespace tlsph {
-
-enum class GhostClosure { consistent, as_printed, eta };
 
 /// Strain of the thesis: ghosts of u, ⟨u⟩ = W u, X⟨u⟩, ghosts of the strain, H = W(X⟨u⟩).
 template <int D>

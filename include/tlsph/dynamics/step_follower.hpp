@@ -81,14 +81,31 @@ class StepFollower {
   [[nodiscard]] long bounds() const { return bounds_; }
   [[nodiscard]] long estimates() const { return estimates_; }
 
-  /// What a checkpoint needs, beside the two fields, to go on bit for bit.
-  [[nodiscard]] std::vector<double> numbers() const;
-  [[nodiscard]] const std::vector<float>& estimated_at() const { return H_estimate_; }
-  [[nodiscard]] const std::vector<float>& checked_at() const { return H_check_; }
-  static constexpr std::size_t number_count = 18;
-  /// Entries as `numbers` and the fields gave them.
-  void restore(const std::vector<double>& numbers, const std::vector<double>& estimated_at,
-               const std::vector<double>& checked_at);
+  /// Calls `visit(name, value)` for all that a checkpoint needs to go on bit for bit; values are
+  /// double, long, bool, std::optional<double> and std::vector<float>.
+  template <class Visit>
+  void visit(const Visit& visit) {
+    visit("gamma", gamma_);
+    visit("first", first_);
+    visit("critical_dt", critical_.dt);
+    visit("critical_scaled", critical_.scaled);
+    visit("critical_growth", critical_.growth);
+    visit("limit", limit_);
+    visit("step", step_);
+    visit("steady", steady_);
+    visit("change", change_);
+    visit("last_look", last_look_);
+    visit("next_look", next_look_);
+    visit("path_known", path_known_);
+    visit("path", path_);
+    visit("last_path", last_path_);
+    visit("path_at_look", path_at_look_);
+    visit("looks", looks_);
+    visit("bounds", bounds_);
+    visit("estimates", estimates_);
+    visit("estimated_at", H_estimate_);
+    visit("checked_at", H_check_);
+  }
 
  private:
   [[nodiscard]] bool due(const State<D>& state) const;

@@ -31,7 +31,9 @@ class Checkpoint {
   std::map<std::string, std::string> texts;
   std::filesystem::path path;  ///< where it came from
 
-  /// The array of that name; InputError if it is missing or has not `size` values.
+  /// The array of that name; InputError if it is missing.
+  [[nodiscard]] const std::vector<double>& array(const std::string& name) const;
+  /// The same, and InputError if it has not `size` values.
   [[nodiscard]] const std::vector<double>& array(const std::string& name, std::size_t size) const;
   /// The one value of an array; InputError if it is missing.
   [[nodiscard]] double number(const std::string& name) const { return array(name, 1)[0]; }

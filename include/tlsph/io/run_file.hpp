@@ -30,16 +30,12 @@
 #include <string>
 #include <vector>
 
+#include "tlsph/core/field.hpp"
 #include "tlsph/io/check_sum.hpp"
 #include "tlsph/io/cloud.hpp"
 #include "tlsph/io/hdf5.hpp"
 
 namespace tlsph {
-
-/// Where a field lives.
-enum class Site { particles, points };
-/// Components of a field in d dimensions: d^rank.
-enum class Rank { scalar = 0, vector = 1, tensor = 2 };
 
 struct FrameField {
   std::string name;

@@ -20,6 +20,7 @@
 
 #include "tlsph/core/error.hpp"
 #include "tlsph/core/types.hpp"
+#include "tlsph/linear/solver_choice.hpp"
 
 namespace tlsph {
 
@@ -138,9 +139,6 @@ class LeastNorm {
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
-
-/// Which factorisation a square system may use.
-enum class SolverChoice { automatic, cholmod, umfpack };
 
 /// Cholesky where the matrix allows it and LU elsewhere; the factorisation decides, not a guess.
 class SymmetricOrGeneral {

@@ -6,7 +6,9 @@
 ///
 /// The laws are listed in law_list.hpp. A caller's own law is not: `GivenLaw` holds it.
 
+#include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -34,10 +36,31 @@ std::variant<Law<Text>..., GivenLaw<D, false>, GivenLaw<D, true>> any_of(List<Te
 template <int D>
 using AnyLaw = decltype(laws::any_of<D>(laws::Listed<D>()));
 
-/// The law of that name with Young's modulus [Pa] and Poisson's ratio. Throws InputError unless
-/// young > 0 and −1 < poisson < 1/2.
+/// The law of that name with the values of its constants, in the order of `constants_of`. Throws
+/// InputError unless there are as many, each in its range.
 template <int D>
-[[nodiscard]] AnyLaw<D> make_law(LawName name, Assumption assumption, double young, double poisson);
+[[nodiscard]] AnyLaw<D> make_law(LawName name, Assumption assumption,
+                                 std::span<const double> constants);
+/// The same for Young's modulus [Pa] and Poisson's ratio.
+template <int D>
+[[nodiscard]] AnyLaw<D> make_law(LawName name, Assumption assumption, double young,
+                                 double poisson) {
+  return make_law<D>(name, assumption, std::array{young, poisson});
+}
+
+/// Elastic moduli of small strains.
+struct Moduli {
+  double young = 0.0, poisson = 0.0, shear = 0.0;  ///< [Pa], –, [Pa]
+};
+
+/// Of an isotropic body whose tangent at rest has the same A_1111, A_1122 and A_1212.
+template <ElasticLaw<3> SolidLaw>
+[[nodiscard]] Moduli moduli_at_rest(const SolidLaw& law) {
+  const Tangent<3> A = law.tangent(Tensor<3>::Zero());
+  const double lambda = A(0, 4), mu = A(1, 1);
+  return {mu * (3 * lambda + 2 * mu) / (lambda + mu), 0.5 * lambda / (lambda + mu), mu};
+}
+[[nodiscard]] Moduli moduli_at_rest(LawName name, std::span<const double> constants);
 
 // The functions of a law for callers outside the loops.
 

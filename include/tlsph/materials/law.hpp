@@ -52,7 +52,7 @@ concept ElasticLaw = requires(const L& law, const Tensor<D>& H) {
 
 /// A law from its text, with tensors for components. A text has, beside its constants,
 ///
-///     dimension, name, small_strain
+///     dimension, name, small_strain, keys: its constants, whose values a constructor takes
 ///     R energy(TensorOf<D, R> H), TensorOf<D, R> stress(H, Mask<R>& good)       for any R
 ///     double transverse_stretch(H), transverse_stress(H), margin(H)
 ///

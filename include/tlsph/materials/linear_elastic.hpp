@@ -3,10 +3,12 @@
 /// Linear elasticity: P = λ tr(ε) I + 2μ ε with ε = (H + Hᵀ)/2. The reference and the deformed
 /// configuration are not told apart, so P is also the Cauchy stress.
 
+#include <span>
 #include <string_view>
 
 #include "tlsph/materials/kinematics.hpp"
 #include "tlsph/materials/lame.hpp"
+#include "tlsph/materials/law_constant.hpp"
 
 namespace tlsph::laws {
 
@@ -15,9 +17,12 @@ class LinearElastic {
  public:
   static constexpr int dimension = D;
   static constexpr std::string_view name = "linear-elastic";
+  static constexpr auto keys = isotropic_constants;
   static constexpr bool small_strain = true;
   static constexpr double multiply_adds = D == 1 ? 1.0 : 6.0;
 
+  explicit LinearElastic(std::span<const double> values)
+      : LinearElastic(lame(values[0], values[1])) {}
   explicit LinearElastic(const Lame& constants)
       : lambda_(reduced_lambda(constants, D, A)),
         mu_(constants.mu),

@@ -10,8 +10,10 @@
 /// λ ln J without its cancellation at large λ. Every function returns NaN for det F ≤ 0.
 
 #include <limits>
+#include <span>
 
 #include "tlsph/materials/dual.hpp"
+#include "tlsph/materials/law_constant.hpp"
 #include "tlsph/materials/linear_elastic.hpp"
 
 namespace tlsph::laws {
@@ -21,6 +23,7 @@ class NeoHookean {
  public:
   static constexpr int dimension = D;
   static constexpr std::string_view name = "neo-hookean";
+  static constexpr auto keys = isotropic_constants;
   static constexpr bool small_strain = false;
   /// The logarithm of a small change 10; two steps to the transverse stretch at small strains.
   static constexpr double multiply_adds =
@@ -31,6 +34,7 @@ class NeoHookean {
           : "det F > 0 and, for a negative Poisson's ratio, a transverse stretch "
             "free of stress";
 
+  explicit NeoHookean(std::span<const double> values) : NeoHookean(lame(values[0], values[1])) {}
   explicit NeoHookean(const Lame& constants) : lambda_(constants.lambda), mu_(constants.mu) {}
 
   /// With e = J − 1, (tr C − D)/2 − ln J = H:H/2 − (e − tr H) − (ln J − e), each bracket of second

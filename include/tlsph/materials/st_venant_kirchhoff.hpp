@@ -4,6 +4,9 @@
 /// missing directions are free of stress, S_33 = 0 is linear in E_33 and leaves the same law with
 /// the reduced λ; 1 + 2E_33 = 1 − λ tr(E)/μ with that λ.
 
+#include <span>
+
+#include "tlsph/materials/law_constant.hpp"
 #include "tlsph/materials/linear_elastic.hpp"
 
 namespace tlsph::laws {
@@ -13,6 +16,7 @@ class StVenantKirchhoff {
  public:
   static constexpr int dimension = D;
   static constexpr std::string_view name = "st-venant-kirchhoff";
+  static constexpr auto keys = isotropic_constants;
   static constexpr bool small_strain = false;
   static constexpr double multiply_adds = D == 1 ? 4.0 : 24.0;
   static constexpr std::string_view range =
@@ -20,6 +24,8 @@ class StVenantKirchhoff {
           ? "det F > 0"
           : "det F > 0 and 1 + 2 E_33 > 0, E_33 the strain of the directions free of stress";
 
+  explicit StVenantKirchhoff(std::span<const double> values)
+      : StVenantKirchhoff(lame(values[0], values[1])) {}
   explicit StVenantKirchhoff(const Lame& constants)
       : constants_(constants), lambda_(reduced_lambda(constants, D, A)), mu_(constants.mu) {}
 

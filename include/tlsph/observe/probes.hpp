@@ -9,12 +9,12 @@
 
 #include "tlsph/core/error.hpp"
 #include "tlsph/dynamics/state.hpp"
+#include "tlsph/observe/quantity.hpp"
 #include "tlsph/particles/interpolation.hpp"
 
 namespace tlsph {
 
-/// What a scene asks for: quantities by their stems (`displacement`, `velocity`, `acceleration`,
-/// `deformation_gradient`, `pk1`, `cauchy`, `pressure`, `von_mises`).
+/// What a scene asks for: quantities by their names.
 template <int D>
 struct ProbeRequest {
   std::string name;
@@ -22,11 +22,6 @@ struct ProbeRequest {
   std::vector<std::string> quantities;
   Place place = {};  ///< where its position is asked for
 };
-
-/// What stands behind the stem of a quantity in the names of its columns, in the order of the
-/// columns: `_x` …, `_xy` …, nothing for a scalar.
-template <int D>
-[[nodiscard]] std::vector<std::string> component_suffixes(std::string_view stem);
 
 /// Evaluates probes by rows fixed at construction: the particle at the position if there is one,
 /// else a first-order consistent interpolation (nodes for motion, material points for strain and
@@ -48,21 +43,11 @@ class Probes {
               std::span<double> row) const;
 
  private:
-  enum class Kind {
-    displacement,
-    velocity,
-    acceleration,
-    deformation_gradient,
-    pk1,
-    cauchy,
-    pressure,
-    von_mises
-  };
   struct Probe {
     InterpolationRow nodes, points;
     std::size_t region = 0;
     Index nearest = 0;  // material point
-    std::vector<Kind> kinds;
+    std::vector<const Quantity<D>*> quantities;
   };
   std::vector<Probe> probes_;
   std::vector<std::string> columns_;

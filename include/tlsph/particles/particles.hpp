@@ -10,12 +10,9 @@
 #include <vector>
 
 #include "tlsph/core/types.hpp"
+#include "tlsph/particles/node_placement.hpp"
 
 namespace tlsph {
-
-/// Where nodes sit on the lattice: at the corners of its cells, so that some lie on the boundary,
-/// or at the centres of the cells.
-enum class NodePlacement { on_boundary, cell_centred };
 
 /// A full interval or box of nodes in rows: node (i, j) at origin + (i Δ_x, j Δ_y).
 template <int D>

@@ -29,16 +29,16 @@ struct Names<Formulation> {
                                                      {"stress-point", Formulation::stress_point}}};
 };
 template <>
-struct Names<GhostTreatment> {
-  static constexpr NameList<GhostTreatment, 3> list = {{{"consistent", GhostTreatment::consistent},
-                                                        {"as-printed", GhostTreatment::as_printed},
-                                                        {"eta", GhostTreatment::eta}}};
+struct Names<GhostClosure> {
+  static constexpr NameList<GhostClosure, 3> list = {{{"consistent", GhostClosure::consistent},
+                                                      {"as-printed", GhostClosure::as_printed},
+                                                      {"eta", GhostClosure::eta}}};
 };
 template <>
-struct Names<BoundarySolver> {
-  static constexpr NameList<BoundarySolver, 3> list = {{{"auto", BoundarySolver::automatic},
-                                                        {"cholmod", BoundarySolver::cholmod},
-                                                        {"umfpack", BoundarySolver::umfpack}}};
+struct Names<SolverChoice> {
+  static constexpr NameList<SolverChoice, 3> list = {{{"auto", SolverChoice::automatic},
+                                                      {"cholmod", SolverChoice::cholmod},
+                                                      {"umfpack", SolverChoice::umfpack}}};
 };
 template <>
 struct Names<Precision> {
@@ -46,9 +46,9 @@ struct Names<Precision> {
       {{"double", Precision::full}, {"mixed", Precision::mixed}}};
 };
 template <>
-struct Names<Placement> {
-  static constexpr NameList<Placement, 2> list = {
-      {{"on-boundary", Placement::on_boundary}, {"cell-centred", Placement::cell_centred}}};
+struct Names<NodePlacement> {
+  static constexpr NameList<NodePlacement, 2> list = {
+      {{"on-boundary", NodePlacement::on_boundary}, {"cell-centred", NodePlacement::cell_centred}}};
 };
 template <>
 struct Names<Layout> {
@@ -56,12 +56,11 @@ struct Names<Layout> {
       {{"square", Layout::square}, {"hexagonal", Layout::hexagonal}}};
 };
 template <>
-struct Names<GradientCorrection> {
-  static constexpr NameList<GradientCorrection, 4> list = {
-      {{"none", GradientCorrection::none},
-       {"gradient", GradientCorrection::gradient},
-       {"mixed", GradientCorrection::mixed},
-       {"least-squares", GradientCorrection::least_squares}}};
+struct Names<Correction> {
+  static constexpr NameList<Correction, 4> list = {{{"none", Correction::none},
+                                                    {"gradient", Correction::gradient},
+                                                    {"mixed", Correction::mixed},
+                                                    {"least-squares", Correction::least_squares}}};
 };
 template <>
 struct Names<StabiliserKind> {
@@ -95,18 +94,6 @@ struct Names<ExactKind> {
        {"bar-wave", ExactKind::bar_wave},
        {"swinging-plate", ExactKind::swinging_plate},
        {"uniform-stretch", ExactKind::uniform_stretch}}};
-};
-template <>
-struct Names<Quantity> {
-  static constexpr NameList<Quantity, 8> list = {
-      {{"displacement", Quantity::displacement},
-       {"velocity", Quantity::velocity},
-       {"acceleration", Quantity::acceleration},
-       {"deformation_gradient", Quantity::deformation_gradient},
-       {"pk1", Quantity::pk1},
-       {"cauchy", Quantity::cauchy},
-       {"pressure", Quantity::pressure},
-       {"von_mises", Quantity::von_mises}}};
 };
 /// The fields an initial state can name beside `zero` and a linear map.
 template <>

@@ -3,17 +3,23 @@
 /// A run described: what the user's scene file says, in SI units, defaults filled in. Plain data;
 /// the reader is in scene/reader.hpp.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
+#include "tlsph/boundary/ghost_closure.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/curves/curve.hpp"
 #include "tlsph/geometry/shape.hpp"
-#include "tlsph/materials/law_list.hpp"
+#include "tlsph/linear/solver_choice.hpp"
+#include "tlsph/materials/any_law.hpp"
+#include "tlsph/operators/correction.hpp"
+#include "tlsph/particles/node_placement.hpp"
 
 namespace tlsph {
 
@@ -26,19 +32,10 @@ enum class Formulation { thesis, mirror, variational, consistent, stress_point }
 [[nodiscard]] constexpr bool is_collocated(Formulation formulation) {
   return formulation != Formulation::stress_point;
 }
-/// How `thesis` closes its boundary: the modified SPH matrix (2.46) with the coupling to the inner
-/// particles that is missing in print, the same as printed, or the η corrections (2.42), (2.45) in
-/// 1D.
-enum class GhostTreatment { consistent, as_printed, eta };
-enum class BoundarySolver { automatic, cholmod, umfpack };
 /// Of the weights of G and D where particles are irregular; sums are always in double.
 enum class Precision { full, mixed };
-enum class Placement { on_boundary, cell_centred };
 /// Of the nodes a body is filled with: rows and columns, or rows shifted by half a spacing.
 enum class Layout { square, hexagonal };
-/// Collocated gradients: a least-squares fit, or the corrections of Bonet & Lok, (42) gradient,
-/// (54)–(58) mixed, none.
-enum class GradientCorrection { none, gradient, mixed, least_squares };
 enum class StabiliserKind { none, pair, cell };
 enum class StabiliserAction { stiffness, viscosity };
 enum class ExactKind { none, bar_wave, swinging_plate, uniform_stretch };
@@ -54,9 +51,9 @@ struct BodyScene {
   std::string cloud;     // file of points, relative to the scene's folder; empty: a lattice
   double spacing = 0.0;  // [m]; 0: estimated from the points of the cloud
   Layout layout = Layout::square;
-  Placement placement = Placement::on_boundary;
+  NodePlacement placement = NodePlacement::on_boundary;
   bool fit =
-      true;  // outer nodes on curved and slanted edges instead of stairs (particles/fitted.hpp)
+      true;  // outer nodes on curved and slanted edges instead of stairs (filling/fitted.hpp)
   double jitter = 0.0;  // share of the spacing, interior nodes only
   std::uint64_t seed = 1;
   std::vector<NamedBox> tags;
@@ -71,7 +68,7 @@ struct KernelScene {
   std::optional<double>
       support;    // full radius in spacings; empty = nodes of the cell (stress-point)
   int order = 1;  // of the polynomials a least-squares gradient is exact for
-  GradientCorrection correction = GradientCorrection::least_squares;
+  Correction correction = Correction::least_squares;
   Place place;
 };
 
@@ -91,9 +88,19 @@ struct StabiliserScene {
 struct MaterialScene {
   LawName law = LawName::neo_hookean;
   Assumption assumption = Assumption::strain;
-  double young = 0.0, poisson = 0.0, density = 0.0;  // [Pa], –, [kg/m^3]
-  std::vector<double> lower, upper;                  // region box; empty = the rest of the body
+  std::vector<double> constants;     // of the law, in the order of constants_of
+  double density = 0.0;              // [kg/m^3]
+  std::vector<double> lower, upper;  // region box; empty = the rest of the body
   Place place;
+
+  /// The value of a constant of the law, if it has one of that name.
+  [[nodiscard]] std::optional<double> constant(std::string_view name) const {
+    const auto keys = constants_of(law);
+    const auto found = std::ranges::find(keys, name, &LawConstant::name);
+    if (found == keys.end()) return std::nullopt;
+    return constants[static_cast<std::size_t>(found - keys.begin())];
+  }
+  [[nodiscard]] Moduli moduli() const { return moduli_at_rest(law, constants); }
 };
 
 /// Motion or load of one component; `amplitude` is folded into the curve.
@@ -122,21 +129,10 @@ struct TimeScene {
   Place place, end_place, step_place;
 };
 
-enum class Quantity {
-  displacement,
-  velocity,
-  acceleration,
-  deformation_gradient,
-  pk1,
-  cauchy,
-  pressure,
-  von_mises
-};
-
 struct ProbeScene {
   std::string name;
   std::vector<double> at;
-  std::vector<Quantity> record;
+  std::vector<std::string> record;  // names of quantities
   Place place;
 };
 
@@ -172,8 +168,8 @@ struct Scene {
   std::string title;
   int dimension = 2;
   Formulation formulation = Formulation::stress_point;
-  GhostTreatment ghosts = GhostTreatment::consistent;
-  BoundarySolver boundary_solver = BoundarySolver::automatic;
+  GhostClosure ghosts = GhostClosure::consistent;
+  SolverChoice boundary_solver = SolverChoice::automatic;
   Precision precision = Precision::full;
   Place formulation_place, boundary_solver_place;
   BodyScene body;

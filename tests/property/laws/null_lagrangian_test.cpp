@@ -2,8 +2,8 @@
 /// gradients of cells keep that law exactly on any particles, which is why a compressed body stays
 /// stable with them as long as its material does.
 #include "property/bodies.hpp"
+#include "tlsph/model/builder.hpp"
 #include "tlsph/scene/reader.hpp"
-#include "tlsph/simulation/builder.hpp"
 
 namespace tlsph::property {
 namespace {

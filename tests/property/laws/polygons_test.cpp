@@ -9,9 +9,9 @@
 #include <set>
 
 #include "property/polygons.hpp"
+#include "tlsph/filling/fitted.hpp"
 #include "tlsph/geometry/region.hpp"
 #include "tlsph/particles/boundary_faces.hpp"
-#include "tlsph/particles/fitted.hpp"
 
 namespace tlsph::property {
 namespace {

@@ -8,9 +8,9 @@
 #include <random>
 
 #include "tlsph/core/error.hpp"
+#include "tlsph/filling/jitter.hpp"
+#include "tlsph/filling/lattice.hpp"
 #include "tlsph/operators/gradients.hpp"
-#include "tlsph/particles/jitter.hpp"
-#include "tlsph/particles/lattice.hpp"
 
 namespace tlsph {
 namespace {

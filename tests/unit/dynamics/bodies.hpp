@@ -3,8 +3,8 @@
 /// Bars and sheets of a few cells with stress points at their centres, put together by hand.
 
 #include "tlsph/dynamics/discretisation.hpp"
+#include "tlsph/filling/lattice.hpp"
 #include "tlsph/operators/gradients.hpp"
-#include "tlsph/particles/lattice.hpp"
 #include "tlsph/particles/points.hpp"
 
 namespace tlsph::test {

@@ -6,11 +6,11 @@
 
 #include <cmath>
 
+#include "tlsph/filling/fitted.hpp"
+#include "tlsph/filling/jitter.hpp"
+#include "tlsph/filling/lattice.hpp"
 #include "tlsph/geometry/region.hpp"
 #include "tlsph/operators/gradients.hpp"
-#include "tlsph/particles/fitted.hpp"
-#include "tlsph/particles/jitter.hpp"
-#include "tlsph/particles/lattice.hpp"
 #include "tlsph/particles/moments.hpp"
 #include "tlsph/particles/points.hpp"
 

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "tlsph/filling/fitted.hpp"
+#include "tlsph/filling/lattice.hpp"
 #include "tlsph/geometry/region.hpp"
 #include "tlsph/particles/boundary_faces.hpp"
-#include "tlsph/particles/fitted.hpp"
-#include "tlsph/particles/lattice.hpp"
 
 namespace tlsph {
 namespace {

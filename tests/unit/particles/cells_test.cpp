@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tlsph/filling/lattice.hpp"
 #include "tlsph/geometry/region.hpp"
-#include "tlsph/particles/lattice.hpp"
 #include "tlsph/particles/points.hpp"
 #include "unit/particles/refusal.hpp"
 

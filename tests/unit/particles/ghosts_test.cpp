@@ -5,9 +5,9 @@
 
 #include <set>
 
+#include "tlsph/filling/jitter.hpp"
+#include "tlsph/filling/lattice.hpp"
 #include "tlsph/geometry/region.hpp"
-#include "tlsph/particles/jitter.hpp"
-#include "tlsph/particles/lattice.hpp"
 #include "unit/particles/refusal.hpp"
 
 namespace tlsph {

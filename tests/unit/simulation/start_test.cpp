@@ -126,5 +126,17 @@ TEST(LawRange, EndsASheetThatStartsOutsideOfIt) {
   EXPECT_EQ(error.time(), 0.0);
 }
 
+/// The run lands on its end, in equal steps no longer than allowed.
+TEST(Run, LandsOnItsEnd) {
+  const Summary summary = run(read_scene_text(bar, "bar.toml", {}), {});
+
+  EXPECT_EQ(summary.end_time, 1e-3);
+  EXPECT_NEAR(summary.dt * static_cast<double>(summary.steps), 1e-3, 1e-15);
+  EXPECT_LE(summary.dt, 0.9 * summary.dt_critical * (1.0 + 1e-12));
+  EXPECT_GT(summary.dt, 0.6 * summary.dt_critical);
+  EXPECT_FALSE(summary.interrupted);
+  EXPECT_EQ(summary.failure, "");
+}
+
 }  // namespace
 }  // namespace tlsph

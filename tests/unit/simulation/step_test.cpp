@@ -15,8 +15,8 @@
 #include "tlsph/core/error.hpp"
 #include "tlsph/dynamics/critical_step.hpp"
 #include "tlsph/io/hdf5.hpp"
+#include "tlsph/model/builder.hpp"
 #include "tlsph/scene/reader.hpp"
-#include "tlsph/simulation/builder.hpp"
 #include "tlsph/simulation/simulation.hpp"
 
 namespace tlsph {

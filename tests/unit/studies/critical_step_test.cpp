@@ -8,8 +8,8 @@
 #include <ostream>
 
 #include "tlsph/analysis/spectrum.hpp"
+#include "tlsph/model/builder.hpp"
 #include "tlsph/scene/reader.hpp"
-#include "tlsph/simulation/builder.hpp"
 
 namespace tlsph {
 namespace {

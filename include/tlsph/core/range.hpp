@@ -1,0 +1,36 @@
+#pragma once
+/// \file
+/// The values a number may take.
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <string>
+
+namespace tlsph {
+
+struct Range {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool with_low = false, with_high = false;  ///< whether the ends belong to it
+
+  [[nodiscard]] constexpr bool contains(double x) const {
+    return (with_low ? x >= low : x > low) && (with_high ? x <= high : x < high);
+  }
+  /// `> 0`, `>= 0` or `(-1, 0.5]`.
+  [[nodiscard]] std::string text() const {
+    if (high == std::numeric_limits<double>::infinity())
+      return fmt::format("{} {:g}", with_low ? ">=" : ">", low);
+    return fmt::format("{}{:g}, {:g}{}", with_low ? '[' : '(', low, high, with_high ? ']' : ')');
+  }
+};
+
+[[nodiscard]] constexpr Range above(double low) {
+  return {low};
+}
+/// Without its ends.
+[[nodiscard]] constexpr Range between(double low, double high) {
+  return {low, high};
+}
+
+}  // namespace tlsph

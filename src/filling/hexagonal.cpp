@@ -1,0 +1,192 @@
+#include "tlsph/filling/hexagonal.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <tuple>
+#include <vector>
+
+#include "tlsph/filling/cloud.hpp"
+#include "tlsph/filling/division.hpp"
+#include "tlsph/filling/outline_faces.hpp"
+#include "tlsph/geometry/outline.hpp"
+#include "tlsph/geometry/region.hpp"
+
+namespace tlsph {
+namespace {
+
+/// Height of a row in spacings.
+const double row_height = 0.5 * std::numbers::sqrt3;
+/// Distance inner nodes keep from the boundary, in spacings: the half ones at the ends of the
+/// shifted rows of a box stay.
+constexpr double row_clearance = 0.45;
+/// Boundary nodes stand at least that close, in spacings, or the spacing is too coarse.
+constexpr double least_step = 0.4;
+constexpr double largest_part = std::numbers::pi / 3.0;
+constexpr double smoothed_distance = 2.7;
+constexpr int row_rounds = 12;
+
+/// The rows over the bounding box.
+struct Rows {
+  Box<2> box;
+  int columns = 1, count = 1;
+  double dx = 0.0, dy = 0.0;
+
+  Rows(const Shape<2>& shape, double spacing, const Place& place) : box(bounding_box(shape)) {
+    const Box<1> width{Vector<1>(box.lower.x()), Vector<1>(box.upper.x())};
+    columns = divide<1>(width, spacing, place).cells[0];
+    const Vector<2> lengths = box.upper - box.lower;
+    dx = lengths.x() / columns;
+    count = std::max(1, static_cast<int>(std::lround(lengths.y() / (row_height * dx))));
+    dy = lengths.y() / count;
+  }
+  [[nodiscard]] double y(int row) const {
+    return row == count ? box.upper.y() : box.lower.y() + row * dy;
+  }
+  [[nodiscard]] double shift(int row) const { return row % 2 == 0 ? 0.0 : 0.5; }
+  [[nodiscard]] double spacing() const { return std::sqrt(dx * dy / row_height); }
+  /// Does x lie on a row, at one of its nodes or at its end?
+  [[nodiscard]] bool on_lattice(const Vector<2>& x) const {
+    const double tolerance = 1e-6 * dx;
+    const double row = std::round((x.y() - box.lower.y()) / dy);
+    if (std::abs(x.y() - box.lower.y() - row * dy) > tolerance) return false;
+    if (std::min(x.x() - box.lower.x(), box.upper.x() - x.x()) < tolerance) return true;
+    const double along = (x.x() - box.lower.x()) / dx - shift(static_cast<int>(row));
+    return std::abs(along - std::round(along)) * dx < tolerance;
+  }
+};
+
+/// Pieces of the outline from corner to corner; a loop without corners is one section.
+std::vector<OutlineLoop> sections(const OutlineLoop& loop) {
+  std::size_t first = 0;  // the piece that starts at a corner
+  for (std::size_t k = 0; k < loop.size(); ++k)
+    if (is_corner(loop[(k + loop.size() - 1) % loop.size()], loop[k])) first = k;
+  std::vector<OutlineLoop> result(1);
+  for (std::size_t k = 0; k < loop.size(); ++k) {
+    const OutlinePiece& piece = loop[(first + k) % loop.size()];
+    const OutlinePiece& next = loop[(first + k + 1) % loop.size()];
+    result.back().push_back(piece);
+    if (k + 1 < loop.size() && is_corner(piece, next)) result.emplace_back();
+  }
+  return result;
+}
+
+/// The point that far [m] along the section.
+Vector<2> along(const OutlineLoop& section, double distance) {
+  for (const OutlinePiece& piece : section) {
+    const double length = piece.length();
+    if (distance <= length) return piece.at(distance / length);
+    distance -= length;
+  }
+  return section.back().to;
+}
+
+bool on_side(const OutlineLoop& section, const Rows& rows) {
+  const double tolerance = 1e-9 * rows.dx;
+  return section.size() == 1 && !section[0].is_arc() &&
+         std::abs(section[0].to.x() - section[0].from.x()) < tolerance &&
+         (std::abs(section[0].to.x() - rows.box.lower.x()) < tolerance ||
+          std::abs(section[0].to.x() - rows.box.upper.x()) < tolerance);
+}
+
+/// Nodes of the section, its end left to the next one.
+void divide_section(const OutlineLoop& section, const Rows& rows, const Place& place,
+                    std::vector<Vector<2>>& nodes) {
+  const double target = on_side(section, rows) ? rows.dy : rows.dx;
+  double length = 0.0, parts = 1.0;
+  for (const OutlinePiece& piece : section) {
+    length += piece.length();
+    parts += std::abs(piece.sweep) / largest_part;
+  }
+  const bool closed = (section.front().from - section.back().to).norm() < 1e-9 * length;
+  const double count =
+      std::max({1.0, std::round(length / target), std::floor(parts), closed ? 3.0 : 1.0});
+  if (length / count < least_step * rows.dx)
+    throw InputError(
+        place, fmt::format("spacing {:.6g} is too coarse for the edge of length {:.6g} "
+                           "at ({:.6g}, {:.6g}); choose a finer one",
+                           rows.dx, length, section.front().from.x(), section.front().from.y()));
+  for (double k = 0.0; k < count; k += 1.0) nodes.push_back(along(section, length * k / count));
+}
+
+VectorField<2> as_field(const std::vector<Vector<2>>& nodes) {
+  VectorField<2> X(static_cast<Index>(nodes.size()), 2);
+  for (std::size_t q = 0; q < nodes.size(); ++q)
+    X.row(static_cast<Index>(q)) = nodes[q].transpose();
+  return X;
+}
+
+/// Nodes that follow the boundary: those near a part of it that is off the lattice.
+std::vector<char> near_curve(const VectorField<2>& X, Index boundary, const Rows& rows) {
+  std::vector<char> mark(static_cast<std::size_t>(X.rows()), 0);
+  const double reach = smoothed_distance * rows.dx;
+  for (Index b = 0; b < boundary; ++b) {
+    if (rows.on_lattice(X.row(b).transpose())) continue;
+    for (Index q = boundary; q < X.rows(); ++q)
+      if ((X.row(q) - X.row(b)).squaredNorm() < reach * reach)
+        mark[static_cast<std::size_t>(q)] = 1;
+  }
+  return mark;
+}
+
+/// Moves the marked nodes to the centres of area of the triangles around them, round by round.
+void smooth(VectorField<2>& X, const std::vector<char>& marked, const std::vector<Face<2>>& faces,
+            const NodePlaces& places) {
+  if (std::none_of(marked.begin(), marked.end(), [](char mark) { return mark != 0; })) return;
+  for (int round = 0; round < row_rounds; ++round) {
+    VectorField<2> sum = VectorField<2>::Zero(X.rows(), 2);
+    ScalarField weight = ScalarField::Zero(X.rows());
+    for (const Triangle& triangle : triangulate(X, faces, places)) {
+      const double area = triangle_area(X, triangle);
+      const Vector<2> centre = triangle_centre(X, triangle);
+      for (const int node : triangle) {
+        sum.row(node) += area * centre.transpose();
+        weight[node] += area;
+      }
+    }
+    for (Index q = 0; q < X.rows(); ++q)
+      if (marked[static_cast<std::size_t>(q)]) X.row(q) = sum.row(q) / weight[q];
+  }
+}
+
+/// Column by column, y fastest, as nearly as the places of the nodes allow.
+VectorField<2> in_columns(const VectorField<2>& X, const Rows& rows) {
+  std::vector<Index> order(static_cast<std::size_t>(X.rows()));
+  for (std::size_t q = 0; q < order.size(); ++q) order[q] = static_cast<Index>(q);
+  const auto column = [&](Index q) {
+    return std::floor((X(q, 0) - rows.box.lower.x()) / rows.dx + 0.25);
+  };
+  std::sort(order.begin(), order.end(), [&](Index p, Index q) {
+    return std::tuple(column(p), X(p, 1), X(p, 0)) < std::tuple(column(q), X(q, 1), X(q, 0));
+  });
+  VectorField<2> sorted(X.rows(), 2);
+  for (Index q = 0; q < X.rows(); ++q) sorted.row(q) = X.row(order[static_cast<std::size_t>(q)]);
+  return sorted;
+}
+
+}  // namespace
+
+Particles<2> hexagonal_lattice(const Shape<2>& shape, double spacing, const Place& place) {
+  validate(shape, place);
+  const Rows rows(shape, spacing, place);
+  std::vector<Vector<2>> nodes;
+  for (const OutlineLoop& loop : outline_loops(shape))
+    for (const OutlineLoop& section : sections(loop)) divide_section(section, rows, place, nodes);
+  const auto boundary = static_cast<Index>(nodes.size());
+  for (int row = 0; row <= rows.count; ++row)
+    for (int i = 0; i <= rows.columns; ++i) {
+      const Vector<2> x(rows.box.lower.x() + (i + rows.shift(row)) * rows.dx, rows.y(row));
+      if (depth(shape, x) > row_clearance * rows.dx) nodes.push_back(x);
+    }
+  VectorField<2> X = as_field(nodes);
+  const NodePlaces here = [&](Index) { return place; };
+  std::vector<Face<2>> faces;
+  for (const auto& labelled : outline_faces(X, shape, boundary_tolerance * rows.dx, here))
+    faces.push_back(labelled.face);
+  smooth(X, near_curve(X, boundary, rows), faces, here);
+  return make_cloud<2>(in_columns(X, rows), shape, rows.spacing(), here);
+}
+
+}  // namespace tlsph

@@ -1,0 +1,39 @@
+#pragma once
+/// \file
+/// The parts `build` is made of; not for other rooms.
+
+#include "tlsph/boundary/extension.hpp"
+#include "tlsph/model/builder.hpp"
+
+namespace tlsph::parts {
+
+/// Laws and densities with the points they hold, and the masses of the nodes.
+template <int D>
+void add_materials(const Scene& scene, Discretisation<D>& disc);
+
+/// Constraints and loads from the scene's boundaries, and inverse masses.
+template <int D>
+void add_conditions(const Scene& scene, Discretisation<D>& disc);
+
+/// The edges of a box as `mirror` and `thesis` need them; adds their signals.
+template <int D>
+[[nodiscard]] Edges<D> build_edges(const Scene& scene, Discretisation<D>& disc);
+
+/// S or C of the scene's stabiliser.
+template <int D>
+void add_stabiliser(const Scene& scene, Discretisation<D>& disc);
+
+/// InputError for a body that starts under a uniform stress which its supports and loads balance,
+/// while its operators do not: near boundaries the adjoint of a corrected gradient breaks the
+/// divergence theorem, and what a run would show is the energy of that. `displacement` is the
+/// initial one of the whole body, before any region of it.
+template <int D>
+void refuse_imbalance(const Scene& scene, const Discretisation<D>& disc,
+                      const VectorField<D>& displacement);
+
+/// The material entry that rules at X: the last one whose box holds it, else the first, which has
+/// no box.
+template <int D>
+[[nodiscard]] std::size_t material_at(const Scene& scene, const Vector<D>& X, double tolerance);
+
+}  // namespace tlsph::parts

@@ -1,0 +1,101 @@
+#include <cmath>
+
+#include "parts.hpp"
+#include "tlsph/materials/lame.hpp"
+#include "tlsph/operators/pair_gradient.hpp"
+#include "tlsph/operators/stabilisers.hpp"
+#include "tlsph/scene/names.hpp"
+
+namespace tlsph::parts {
+namespace {
+
+/// Multiples of the modulus (stiffness) or of ρ c_s Δ (viscosity) that `coefficient = "auto"`
+/// means.
+constexpr double auto_cell_stiffness = 4.0 / 3.0;  // of E/(1−ν²): exact bending of a rectangle
+constexpr double auto_pair_stiffness = 0.1;        // of μ
+/// The same where gradients are of order two and have an exact adjoint: their pair errors vanish on
+/// quadratic fields, and irregular particles need it.
+constexpr double auto_consistent_stiffness = 0.3;
+constexpr double auto_viscosity = 0.4;            // of ρ c_s Δ
+constexpr double auto_viscosity_quadratic = 0.2;  // the same beside gradients of order two
+
+/// E/(1−ν²) in plane strain, E in plane stress: the modulus of a fibre that bends.
+double bending_modulus(const MaterialScene& material) {
+  const Moduli moduli = material.moduli();
+  return material.assumption == Assumption::stress
+             ? moduli.young
+             : moduli.young / (1.0 - moduli.poisson * moduli.poisson);
+}
+
+/// [Pa] as stiffness, ρ c_s Δ [Pa s] as viscosity: of shear, which the modes of a stabiliser are,
+/// so that it stays in proportion as ν nears ½.
+double unit(const Scene& scene, const MaterialScene& material, double spacing) {
+  const double mu = material.moduli().shear;
+  if (scene.stabiliser.action == StabiliserAction::viscosity)
+    return std::sqrt(material.density * mu) * spacing;
+  return scene.stabiliser.kind == StabiliserKind::cell ? bending_modulus(material) : mu;
+}
+
+double automatic(const Scene& scene) {
+  const bool quadratic = scene.kernel.order > 1;
+  if (scene.stabiliser.action == StabiliserAction::viscosity)
+    return quadratic ? auto_viscosity_quadratic : auto_viscosity;
+  if (scene.stabiliser.kind == StabiliserKind::cell) return auto_cell_stiffness;
+  return quadratic && scene.formulation == Formulation::consistent ? auto_consistent_stiffness
+                                                                   : auto_pair_stiffness;
+}
+
+template <int D>
+ScalarField strengths(const Scene& scene, const Discretisation<D>& disc, const VectorField<D>& at) {
+  const double coefficient = scene.stabiliser.coefficient.value_or(automatic(scene));
+  ScalarField result(at.rows());
+  for (Index s = 0; s < at.rows(); ++s) {
+    const Vector<D> x = at.row(s).transpose();
+    const std::size_t material = material_at<D>(scene, x, 1e-9 * disc.spacing);
+    result[s] = coefficient * unit(scene, scene.materials[material], disc.spacing);
+  }
+  return result;
+}
+
+}  // namespace
+
+template <int D>
+void add_stabiliser(const Scene& scene, Discretisation<D>& disc) {
+  const StabiliserScene& stabiliser = scene.stabiliser;
+  if (stabiliser.kind == StabiliserKind::none) return;
+  if (!disc.adjoint)
+    throw InputError(stabiliser.place, "a stabiliser goes with formulation = " +
+                                           adjoint_formulations() + "; use kind = \"none\"");
+  SparseMatrix S;
+  if (stabiliser.kind == StabiliserKind::cell) {
+    if constexpr (D == 2) {
+      if (scene.formulation != Formulation::stress_point || scene.kernel.support)
+        throw InputError(stabiliser.place,
+                         "kind = \"cell\" goes with formulation \"stress-point\" on the nodes of a "
+                         "cell (no kernel.support); use \"pair\" or \"none\"");
+      ScalarField modulus = strengths<2>(scene, disc, disc.points.X);
+      if (stabiliser.action == StabiliserAction::stiffness) {
+        disc.hourglass = {hourglass_weights(disc.particles, disc.gradient), std::move(modulus)};
+        return;
+      }
+      S = normal_matrix(hourglass_rows(disc.particles, disc.gradient), modulus);
+    } else {
+      throw InputError(
+          stabiliser.place,
+          "kind = \"cell\" is for two dimensions: a cell of two nodes has no hourglass; "
+          "use \"none\"");
+    }
+  } else {
+    const auto narrow =
+        pair_gradient<D>(disc.particles.X, disc.particles.V, disc.spacing, scene.kernel.order);
+    S = pair_stabiliser<D>(narrow, disc.particles.X, disc.particles.V, disc.spacing,
+                           strengths<D>(scene, disc, disc.particles.X));
+  }
+  (stabiliser.action == StabiliserAction::stiffness ? disc.stiffness : disc.viscosity) =
+      std::move(S);
+}
+
+template void add_stabiliser<1>(const Scene&, Discretisation<1>&);
+template void add_stabiliser<2>(const Scene&, Discretisation<2>&);
+
+}  // namespace tlsph::parts
