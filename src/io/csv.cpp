@@ -55,14 +55,14 @@ Lines read_lines(int descriptor, std::size_t most, const fs::path& path) {
   return lines;
 }
 
-}  // namespace
-
 std::string csv_field(const std::string& cell) {
   if (cell.find_first_of(",\"\r\n") == std::string::npos) return cell;
   std::string quoted = "\"";
   for (char c : cell) quoted.append(c == '"' ? 2 : 1, c);
   return quoted + '"';
 }
+
+}  // namespace
 
 std::string csv_line(std::span<const std::string> cells) {
   assert(!cells.empty());

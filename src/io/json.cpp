@@ -1,6 +1,7 @@
 #include "tlsph/io/json.hpp"
 
 #include <cassert>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -49,6 +50,17 @@ struct Json::Tree {
 };
 
 Json::Json() : tree_(std::make_unique<Tree>()) {}
+Json::Json(std::nullptr_t) : tree_(std::make_unique<Tree>(Tree{nullptr})) {}
+Json::Json(double value) : tree_(std::make_unique<Tree>(Tree{value})) {}
+Json::Json(bool value) : tree_(std::make_unique<Tree>(Tree{value})) {}
+Json::Json(std::int64_t value) : tree_(std::make_unique<Tree>(Tree{value})) {}
+Json::Json(std::string_view text) : tree_(std::make_unique<Tree>(Tree{std::string(text)})) {}
+Json::Json(const std::vector<double>& values) : tree_(std::make_unique<Tree>(Tree{values})) {}
+Json::Json(const std::vector<std::string>& values) : tree_(std::make_unique<Tree>(Tree{values})) {}
+Json::Json(const std::vector<Json>& elements) : Json() {
+  tree_->root = Node::array();
+  for (const Json& element : elements) tree_->root.push_back(element.tree_->root);
+}
 Json::Json(const Json& other) : tree_(std::make_unique<Tree>(*other.tree_)) {}
 Json::Json(Json&&) noexcept = default;
 Json& Json::operator=(const Json& other) {
@@ -75,48 +87,13 @@ Json Json::read(const std::filesystem::path& path) {
   return parse(text, path.string());
 }
 
-void Json::set(std::string_view path, double value) {
-  tree_->make(path) = value;
-}
-void Json::set(std::string_view path, std::string_view value) {
-  tree_->make(path) = std::string(value);
-}
-void Json::set(std::string_view path, std::nullptr_t) {
-  tree_->make(path) = nullptr;
-}
-void Json::set(std::string_view path, const std::optional<double>& value) {
-  if (value)
-    set(path, *value);
-  else
-    set(path, nullptr);
-}
-void Json::set_or_null(std::string_view path, std::string_view text) {
-  if (text.empty())
-    set(path, nullptr);
-  else
-    set(path, text);
-}
-void Json::set(std::string_view path, const std::vector<double>& values) {
-  tree_->make(path) = values;
-}
-void Json::set(std::string_view path, const std::vector<std::string>& values) {
-  tree_->make(path) = values;
-}
-void Json::set(std::string_view path, const Json& tree) {
-  Node copy = tree.tree_->root;  // `tree` may be this document
-  tree_->make(path) = std::move(copy);
-}
-void Json::set_bool(std::string_view path, bool value) {
-  tree_->make(path) = value;
-}
-void Json::set_integer(std::string_view path, std::int64_t value) {
-  tree_->make(path) = value;
+void Json::set(std::string_view path, Json value) {
+  tree_->make(path) = std::move(value.tree_->root);
 }
 
-void Json::append(std::string_view path, const Json& element) {
-  Node copy = element.tree_->root;
+void Json::append(std::string_view path, Json element) {
   make_list(path);
-  tree_->make(path).push_back(std::move(copy));
+  tree_->make(path).push_back(std::move(element.tree_->root));
 }
 
 void Json::make_list(std::string_view path) {
@@ -164,6 +141,15 @@ std::vector<Json> Json::list(std::string_view path) const {
   std::vector<Json> elements(node->size());
   for (std::size_t i = 0; i < elements.size(); ++i) elements[i].tree_->root = (*node)[i];
   return elements;
+}
+
+Json::Scalar Json::scalar() const {
+  const Node& root = tree_->root;
+  if (root.is_boolean()) return root.get<bool>();
+  if (root.is_number_integer()) return root.get<std::int64_t>();
+  if (root.is_number() && std::isfinite(root.get<double>())) return root.get<double>();
+  if (root.is_string()) return root.get<std::string>();
+  return {};
 }
 
 std::string Json::dump(int indent) const {

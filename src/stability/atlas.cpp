@@ -8,6 +8,7 @@
 
 #include "contrast.hpp"
 #include "crush.hpp"
+#include "evidence.hpp"
 #include "failure.hpp"
 #include "judge.hpp"
 #include "tlsph/core/dimensions.hpp"
@@ -95,6 +96,22 @@ std::vector<Piece> pieces_of(const Subject& subject, FirstVibration& first) {
 }
 
 }  // namespace
+
+Safety Atlas::safety() const {
+  Safety safety;
+  for (const AtlasRow& row : rows) {
+    if (!(row.bound > 0.0) || row.verdict == Verdict::material) continue;
+    safety.smallest_share = std::min(safety.smallest_share, row.bound / row.limit);
+    safety.largest_share = std::max(safety.largest_share, row.bound / row.limit);
+    if (row.verdict != Verdict::stable && row.verdict != Verdict::soft) continue;
+    ++safety.stable_states;
+    const PerturbedRun* run = run_of(row, "0.95");
+    if (run == nullptr || !run->bounded() ||
+        !(run->energy_drift < 0.1 || std::isnan(run->energy_drift)))
+      ++safety.lost_runs;
+  }
+  return safety;
+}
 
 Atlas draw_atlas(const AtlasRequest& request, const AtlasOptions& options) {
   const auto begin = std::chrono::steady_clock::now();

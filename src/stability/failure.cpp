@@ -30,14 +30,14 @@ std::string extent_of_states(const Rows& rows) {
     if (std::ranges::find(methods, row->method) == methods.end()) methods.push_back(row->method);
     jitter.insert(row->jitter);
     poisson.insert(row->poisson);
-    stretch.insert(row->stretch);
+    stretches.insert(row->stretch);
     bodies.insert(row->body);
   }
   std::string text = methods.size() > 6 ? fmt::format("{} methods", methods.size())
                                         : fmt::format("{}", fmt::join(methods, ", "));
   if (bodies.size() == 1 && *bodies.begin() != "scene") text += ", " + *bodies.begin();
   return fmt::format("{}; {}, {}, {}", text, plural(jitter, "jitter"), plural(poisson, "nu"),
-                     plural(stretch, "stretch"));
+                     plural(stretches, "stretch"));
 }
 
 bool same_state(const AtlasRow& a, const AtlasRow& b) {

@@ -1,15 +1,14 @@
 // A chart on the screen and in its files.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <limits>
 #include <map>
+#include <utility>
 
-#include "tlsph/io/csv.hpp"
 #include "tlsph/io/files.hpp"
-#include "tlsph/io/json.hpp"
+#include "tlsph/io/table.hpp"
 #include "tlsph/studies/chart.hpp"
 #include "tlsph/studies/chart_search.hpp"
 
@@ -20,49 +19,63 @@ std::string name_of(const ChartPoint& point) {
   return point.peer.empty() ? point.family : point.peer;
 }
 
+std::ranges::minmax_result<double> fastest_and_slowest(const ChartPoint& point) {
+  if (point.seconds.empty()) return {};
+  return std::ranges::minmax(point.seconds);
+}
+
 std::string range_of(const ChartPoint& point) {
   if (point.seconds.size() < 2) return "";
-  const auto [least, most] = std::ranges::minmax(point.seconds);
+  const auto [least, most] = fastest_and_slowest(point);
   return fmt::format("{:.2g}-{:.2g}", least, most);
 }
 
-/// Points of quantity q that count, fastest first.
-std::vector<const ChartPoint*> sorted(const ChartTable& table, std::size_t q, auto wanted) {
-  std::vector<const ChartPoint*> points;
+/// Points of quantity q that count, fastest first, of equally fast ones the nearest.
+std::vector<ChartPoint> sorted(const ChartTable& table, std::size_t q, auto wanted) {
+  std::vector<ChartPoint> points;
   for (const ChartPoint& point : table.points)
     if (point.failure.empty() && std::isfinite(point.judged[q]) && wanted(point))
-      points.push_back(&point);
-  std::ranges::sort(points, {}, [](const ChartPoint* point) { return point->time(); });
+      points.push_back(point);
+  std::ranges::sort(points, {}, [q](const ChartPoint& point) {
+    return std::pair(point.time(), point.judged[q]);
+  });
   return points;
 }
 
 /// When this program is as near as `error`, by the straight line in logarithms between the points
 /// of its own front; not a number beyond their ends.
-double time_for(const std::vector<const ChartPoint*>& front, std::size_t q, double error) {
+double time_for(const std::vector<ChartPoint>& front, std::size_t q, double error) {
   for (std::size_t k = 0; k < front.size(); ++k) {
-    const double here = front[k]->judged[q];
+    const double here = front[k].judged[q];
     if (here > error) continue;
-    if (k == 0) return front[k]->time();  // even its fastest is nearer
-    const double before = front[k - 1]->judged[q];
+    if (k == 0) return front[k].time();  // even its fastest is nearer
+    const double before = front[k - 1].judged[q];
     const double share = std::log(before / error) / std::log(before / here);
-    return front[k - 1]->time() * std::pow(front[k]->time() / front[k - 1]->time(), share);
+    return front[k - 1].time() * std::pow(front[k].time() / front[k - 1].time(), share);
   }
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-std::vector<const ChartPoint*> own_front(const ChartTable& table, std::size_t q) {
-  const auto points = sorted(table, q, [](const ChartPoint& p) { return p.peer.empty(); });
-  std::vector<double> times;
-  std::vector<double> errors;
-  for (const ChartPoint* point : points) {
-    times.push_back(point->time());
-    errors.push_back(point->judged[q]);
-  }
-  const std::vector<bool> on = pareto_front(times, errors);
-  std::vector<const ChartPoint*> front;
-  for (std::size_t k = 0; k < points.size(); ++k)
-    if (on[k]) front.push_back(points[k]);
+std::vector<ChartPoint> own_front(const ChartTable& table, std::size_t q) {
+  std::vector<ChartPoint> front;
+  for (const ChartPoint& point :
+       sorted(table, q, [](const ChartPoint& p) { return p.peer.empty(); }))
+    if (front.empty() || point.judged[q] < front.back().judged[q]) front.push_back(point);
   return front;
+}
+
+/// Points judged by quantity q on the screen, `last` behind the numbers.
+Table<ChartPoint> screen_table(std::size_t q, Column<ChartPoint> last) {
+  using Row = ChartPoint;
+  Table<Row> table = {
+      {"", &Row::time, {"time [s]", ">12.3g"}},
+      {"", range_of, {"range", " >17"}},
+      {"", [q](const Row& row) { return row.judged[q]; }, {"error", " >11.3e"}},
+      {"", &Row::spacing, {"spacing [m]", " >12.5g"}},
+      {"", &Row::particles, {"particles", " >10"}},
+  };
+  table.add(std::move(last));
+  return table;
 }
 
 std::string quantity_text(const ChartTable& table, std::size_t q) {
@@ -70,83 +83,65 @@ std::string quantity_text(const ChartTable& table, std::size_t q) {
   if (std::isfinite(table.answers[q]))
     text += fmt::format(" = {:.6g}; an error counts no better than that of the next finer spacing",
                         table.answers[q]);
-  text += fmt::format("\n{:>12} {:>17} {:>11} {:>12} {:>10}  {}\n", "time [s]", "range", "error",
-                      "spacing [m]", "particles", "configuration");
-  for (const ChartPoint* point : sorted(table, q, [&](const ChartPoint& p) { return p.front[q]; }))
-    text += fmt::format("{:>12.3g} {:>17} {:>11.3e} {:>12.5g} {:>10}  {}\n", point->time(),
-                        range_of(*point), point->judged[q], point->spacing, point->particles,
-                        name_of(*point));
+  text += '\n';
+  text += screen_table(q, {"", name_of, {"configuration", "  <"}})
+              .text(sorted(table, q, [&](const ChartPoint& p) { return p.front[q]; }));
   const auto peers = sorted(table, q, [](const ChartPoint& p) { return !p.peer.empty(); });
   if (peers.empty()) return text;
-  const auto front = own_front(table, q);
-  text +=
-      fmt::format("{:>12} {:>17} {:>11} {:>12} {:>10}  {}\n", "time [s]", "range", "error",
-                  "spacing [m]", "particles", "peer, and the time of this program's front there");
-  for (const ChartPoint* point : peers) {
-    const double own = time_for(front, q, point->judged[q]);
-    text += fmt::format("{:>12.3g} {:>17} {:>11.3e} {:>12.5g} {:>10}  {}", point->time(),
-                        range_of(*point), point->judged[q], point->spacing, point->particles,
-                        point->peer);
-    text += std::isfinite(own) ? fmt::format(": {:.3g} s, {:.3g} of it\n", own, own / point->time())
-                               : ": not reached\n";
-  }
-  return text;
+  const auto beside = [q, front = own_front(table, q)](const ChartPoint& peer) {
+    const double own = time_for(front, q, peer.judged[q]);
+    return peer.peer + (std::isfinite(own)
+                            ? fmt::format(": {:.3g} s, {:.3g} of it", own, own / peer.time())
+                            : ": not reached");
+  };
+  const Screen last = {"peer, and the time of this program's front there", "  <"};
+  return text + screen_table(q, {"", beside, last}).text(peers);
 }
 
-std::string csv_text(const ChartTable& table) {
-  std::string csv =
-      "peer,family,formulation,kernel,support,order,stabiliser,law,step_share,spacing,particles,"
-      "steps,setup_seconds,stepping_seconds,stepping_seconds_min,stepping_seconds_max,repetitions";
-  const auto end = std::back_inserter(csv);
-  for (const std::string& quantity : table.quantities) fmt::format_to(end, ",{}", quantity);
-  for (const std::string& quantity : table.quantities) fmt::format_to(end, ",judged_{}", quantity);
-  for (const std::string& quantity : table.quantities) fmt::format_to(end, ",front_{}", quantity);
-  csv += ",failure\n";
-  for (const ChartPoint& point : table.points) {
-    const auto [least, most] = point.seconds.empty() ? std::ranges::minmax_result<double>{}
-                                                     : std::ranges::minmax(point.seconds);
-    fmt::format_to(end, "{},{},{},{},{},{},{},{},{},{:.17g},{},{},{},{},{},{},{}", point.peer,
-                   csv_field(point.family), point.formulation, point.kernel,
-                   point.support ? fmt::format("{}", *point.support) : "",
-                   point.order > 0 ? fmt::format("{}", point.order) : "", point.stabiliser,
-                   point.law, point.step_share ? fmt::format("{}", *point.step_share) : "",
-                   point.spacing, point.particles, point.steps, csv_number(point.setup_seconds),
-                   csv_number(point.time()), csv_number(least), csv_number(most),
-                   point.seconds.size());
-    for (const double error : point.errors) fmt::format_to(end, ",{}", csv_number(error));
-    for (const double error : point.judged) fmt::format_to(end, ",{}", csv_number(error));
-    for (std::size_t q = 0; q < table.quantities.size(); ++q)
-      fmt::format_to(end, ",{}", point.front[q] ? 1 : 0);
-    fmt::format_to(end, ",{}\n", csv_field(point.failure));
-  }
-  return csv;
-}
-
-Json point_json(const ChartPoint& point, const ChartTable& table) {
-  Json json;
-  json.set("peer", point.peer);
-  json.set("family", point.family);
-  json.set("set", point.overrides);
-  json.set("formulation", point.formulation);
-  json.set("kernel", point.kernel);
-  json.set("support", point.support);
-  json.set("order", point.order);
-  json.set("stabiliser", point.stabiliser);
-  json.set_or_null("law", point.law);
-  json.set("step_share", point.step_share);  // of the critical step
-  json.set("spacing", point.spacing);
-  json.set("particles", point.particles);
-  json.set("steps", point.steps);
-  json.set("setup_seconds", point.setup_seconds);
-  json.set("stepping_seconds", point.seconds);
-  json.set("errors", point.errors);  // in the order of `quantities`
-  json.set("judged", point.judged);
-  std::vector<std::string> fronts;
-  for (std::size_t q = 0; q < table.quantities.size(); ++q)
-    if (point.front[q]) fronts.push_back(table.quantities[q]);
-  json.set("front", fronts);
-  json.set_or_null("failure", point.failure);
-  return json;
+Table<ChartPoint> point_table(const std::vector<std::string>& quantities) {
+  using Row = ChartPoint;
+  const auto fronts = [quantities](const Row& row) {
+    std::vector<std::string> names;
+    for (std::size_t q = 0; q < quantities.size(); ++q)
+      if (row.front[q]) names.push_back(quantities[q]);
+    return names;
+  };
+  Table<Row> table = {
+      {"peer", &Row::peer},
+      {"family", &Row::family},
+      {"set", &Row::overrides, Medium::json},
+      {"formulation", &Row::formulation},
+      {"kernel", &Row::kernel},
+      {"support", &Row::support},
+      {"order", [](const Row& row) { return row.order > 0 ? Json(row.order) : Json(nullptr); }},
+      {"stabiliser", &Row::stabiliser},
+      {"law", [](const Row& row) { return Json::text_or_null(row.law); }},
+      {"step_share", &Row::step_share},
+      {"spacing", &Row::spacing},
+      {"particles", &Row::particles},
+      {"steps", &Row::steps},
+      {"setup_seconds", &Row::setup_seconds},
+      {"stepping_seconds", &Row::seconds, Medium::json},
+      {"stepping_seconds", &Row::time, Medium::csv},
+      {"stepping_seconds_min", [](const Row& row) { return fastest_and_slowest(row).min; },
+       Medium::csv},
+      {"stepping_seconds_max", [](const Row& row) { return fastest_and_slowest(row).max; },
+       Medium::csv},
+      {"repetitions", [](const Row& row) { return row.seconds.size(); }, Medium::csv},
+      {"errors", &Row::errors, Medium::json},
+      {"judged", &Row::judged, Medium::json},
+      {"front", fronts, Medium::json},
+  };
+  const auto add_each = [&](const std::string& prefix, auto Row::*values) {
+    for (std::size_t q = 0; q < quantities.size(); ++q)
+      table.add({prefix + quantities[q],
+                 [values, q](const Row& row) { return Json((row.*values)[q]); }, Medium::csv});
+  };
+  add_each("", &Row::errors);
+  add_each("judged_", &Row::judged);
+  add_each("front_", &Row::front);
+  table.add({"failure", [](const Row& row) { return Json::text_or_null(row.failure); }});
+  return table;
 }
 
 /// Fills `judged`, family by family. Peers keep their luck: nobody chose among many of them.
@@ -231,7 +226,8 @@ std::string ChartTable::text() const {
 }
 
 void ChartTable::write(const std::filesystem::path& directory) const {
-  write_text_file(directory / "chart.csv", csv_text(*this));
+  const Table<ChartPoint> table = point_table(quantities);
+  write_text_file(directory / "chart.csv", table.csv(points));
   Json json;
   json.set("scene", scene);
   json.set("version", version);
@@ -246,8 +242,7 @@ void ChartTable::write(const std::filesystem::path& directory) const {
   json.set("dominated", dominated);
   json.set("notes", notes);
   json.set("interrupted", interrupted);
-  json.make_list("points");
-  for (const ChartPoint& point : points) json.append("points", point_json(point, *this));
+  json.set("points", table.json(points));
   json.write(directory / "chart.json");
 }
 

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <optional>
 
-#include "tlsph/io/csv.hpp"
 #include "tlsph/io/files.hpp"
-#include "tlsph/io/json.hpp"
-#include "tlsph/io/record.hpp"
+#include "tlsph/io/table.hpp"
 #include "tlsph/studies/fit.hpp"
 
 namespace tlsph {
@@ -28,46 +28,52 @@ std::string indented(const std::string& text) {
   return result;
 }
 
-Record pilot_record(const Pilot& pilot) {
-  Record record;
-  record.set("spacing", pilot.spacing);
-  record.set("particles", pilot.particles);
-  record.set("steps", pilot.steps);
-  record.set("setup_seconds", pilot.setup);
-  record.set("stepping_seconds", pilot.stepping);
-  record.set("charged_seconds", pilot.charged);
-  record.set("error", pilot.error);
-  return record;
+Table<Pilot> pilot_table() {
+  return {
+      {"spacing", &Pilot::spacing},
+      {"particles", &Pilot::particles},
+      {"steps", &Pilot::steps},
+      {"setup_seconds", &Pilot::setup},
+      {"stepping_seconds", &Pilot::stepping},
+      {"charged_seconds", &Pilot::charged},
+      {"error", &Pilot::error},
+  };
 }
 
 /// A line a pilot.
-void write_pilots(const std::vector<FitFamily>& families, const std::filesystem::path& path) {
-  const auto line = [](const std::string& family, const Pilot& pilot) {
-    Record record;
-    record.set("family", family);
-    record.append(pilot_record(pilot));
-    return record;
+std::string pilots_csv(const std::vector<FitFamily>& families) {
+  struct Line {
+    std::string family;
+    Pilot pilot;
   };
-  std::string csv = csv_line(line("", {}).names());
+  std::vector<Line> lines;
   for (const FitFamily& each : families)
-    for (const Pilot& pilot : each.pilots) csv += csv_line(line(each.label, pilot).cells());
-  write_text_file(path, csv);
+    for (const Pilot& pilot : each.pilots) lines.push_back({each.label, pilot});
+  return (Table<Line>{{"family", &Line::family}} + pilot_table().of(&Line::pilot)).csv(lines);
 }
 
-Json family_json(const FitFamily& family) {
-  Json json;
-  json.set("family", family.label);
-  json.set("set", family.overrides);
-  json.set("note", family.note);
-  json.set("reaches", family.reaches);
-  json.make_list("pilots");
-  for (const Pilot& pilot : family.pilots) json.append("pilots", pilot_record(pilot).json());
-  if (!family.reaches) return json;
-  json.set("order", family.order);
-  json.set("spacing", family.spacing);
-  json.set("predicted_error", family.predicted_error);
-  json.set("predicted_seconds", family.predicted_seconds);
-  return json;
+/// A prediction, of a family that reaches the wanted error.
+auto predicted(double FitFamily::*value) {
+  return [value](const FitFamily& family) {
+    return family.reaches ? std::optional(family.*value) : std::nullopt;
+  };
+}
+
+Table<FitFamily> family_table() {
+  using Row = FitFamily;
+  return {
+      {"family", &Row::label},
+      {"set", &Row::overrides},
+      {"note", &Row::note},
+      {"reaches", &Row::reaches},
+      {"predicted_seconds", predicted(&Row::predicted_seconds), {"time [s]", ">12.3g"}},
+      {"predicted_error", predicted(&Row::predicted_error)},
+      {"spacing", predicted(&Row::spacing), {"spacing [m]", " >12.5g"}},
+      {"order", predicted(&Row::order), {"order", " >7.2f"}},
+      {"", [](const Row& row) { return row.pilots.size(); }, {"pilots", " >8"}},
+      {"pilots", [](const Row& row) { return pilot_table().json(row.pilots); }},
+      {"", &Row::label, {"reaches it", "  <"}},
+  };
 }
 
 }  // namespace
@@ -78,15 +84,11 @@ std::string FitTable::choice_text() const {
   lines += "\n";
   for (const std::string& what : reductions) lines += what + "\n";
   if (linear) lines += "linear elastic: the law of the scene comes out the same\n";
-  lines += fmt::format("\n{:>12} {:>12} {:>7} {:>8}  {}\n", "time [s]", "spacing [m]", "order",
-                       "pilots", "reaches it");
-  std::vector<const FitFamily*> reaching;
-  for (const FitFamily& each : families)
-    if (each.reaches) reaching.push_back(&each);
+  std::vector<FitFamily> reaching;
+  std::ranges::copy_if(families, std::back_inserter(reaching), &FitFamily::reaches);
   std::ranges::sort(reaching, {}, &FitFamily::predicted_seconds);
-  for (const FitFamily* each : reaching)
-    lines += fmt::format("{:>12.3g} {:>12.5g} {:>7.2f} {:>8}  {}\n", each->predicted_seconds,
-                         each->spacing, each->order, each->pilots.size(), each->label);
+  lines += '\n';
+  lines += family_table().text(reaching);
   const auto noted = [&](const char* note) {
     return std::ranges::count(families, std::string(note), &FitFamily::note);
   };
@@ -118,7 +120,7 @@ std::string FitTable::verdict_text() const {
 }
 
 void FitTable::write(const std::filesystem::path& directory) const {
-  write_pilots(families, directory / "fit.csv");
+  write_text_file(directory / "fit.csv", pilots_csv(families));
   Json json;
   json.set("scene", scene);
   json.set("version", version);
@@ -141,8 +143,7 @@ void FitTable::write(const std::filesystem::path& directory) const {
   json.set("meets", !interrupted && meets());
   json.set("interrupted", interrupted);
   json.set("spent", spent);
-  json.make_list("families");
-  for (const FitFamily& each : families) json.append("families", family_json(each));
+  json.set("families", family_table().json(families));
   json.write(directory / "fit.json");
 }
 

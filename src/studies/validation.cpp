@@ -13,12 +13,12 @@
 #include <cstring>
 #include <thread>
 
-#include "checks_file.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/io/files.hpp"
 #include "tlsph/linear/blas_threads.hpp"
 #include "tlsph/simulation/version.hpp"
 #include "tlsph/studies/figure.hpp"
+#include "validation_table.hpp"
 
 namespace tlsph {
 namespace {
@@ -157,7 +157,8 @@ class Validation {
       set_blas_threads(1);
       int code = EXIT_FAILURE;
       try {
-        checks_json(result_of(entry, folder_, options_)).write(handed_over(options_, entry));
+        const CaseResult result = result_of(entry, folder_, options_);
+        case_table().json({result}).front().write(handed_over(options_, entry));
         code = EXIT_SUCCESS;
       } catch (...) {  // nothing was handed over, which the parent sees
       }

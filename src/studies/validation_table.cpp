@@ -4,13 +4,46 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <utility>
 
-#include "checks_file.hpp"
 #include "tlsph/io/files.hpp"
 #include "tlsph/studies/validation.hpp"
+#include "validation_table.hpp"
 
 namespace tlsph {
 namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+constexpr std::array<std::pair<std::string_view, Criterion>, 5> criteria = {
+    {{"relative", Criterion::relative},
+     {"absolute", Criterion::absolute},
+     {"at most", Criterion::at_most},
+     {"at least", Criterion::at_least},
+     {"reported", Criterion::reported}}};
+
+/// JSON has no NaN; null stands for it.
+double number_or_nan(const Json& json, std::string_view path) {
+  return json.is_null(path) ? not_a_number : json.number(path);
+}
+
+Check read_check(const Json& json) {
+  Check check;
+  check.source = json.text("source");
+  check.quantity = json.text("quantity");
+  const std::string word = json.text("criterion");
+  for (const auto& [name, criterion] : criteria)
+    if (name == word) check.criterion = criterion;
+  check.reference = number_or_nan(json, "reference");
+  check.observed = number_or_nan(json, "observed");
+  check.tolerance = json.number("tolerance");
+  return check;
+}
+
+std::string_view name_of(Criterion wanted) {
+  return std::ranges::find(criteria, wanted, [](const auto& each) { return each.second; })->first;
+}
 
 /// Four digits: 0.01234, 5801, 1.234e-05; `-` where there is no number.
 std::string number(double value) {
@@ -50,35 +83,42 @@ std::string verdict_of(const Check& check) {
   return check.holds() ? "holds" : "FAILS";
 }
 
-using Line = std::array<std::string, 7>;
-const Line heads = {"case", "source", "quantity", "reference", "observed", "tolerance", "verdict"};
+Table<Check> check_table() {
+  return {
+      {"source", &Check::source, {"source", "  <"}},
+      {"quantity", &Check::quantity, {"quantity", "  <"}},
+      {"criterion", [](const Check& check) { return name_of(check.criterion); }},
+      {"reference", &Check::reference},
+      {"", reference_of, {"reference", "  >"}},
+      {"observed", &Check::observed},
+      {"", observed_of, {"observed", "  >"}},
+      {"tolerance", &Check::tolerance},
+      {"", tolerance_of, {"tolerance", "  <"}},
+      {"holds", &Check::holds},
+      {"", verdict_of, {"verdict", "  <"}},
+  };
+}
 
+/// A check on the screen, below the name of its case.
+struct Line {
+  std::string name;
+  Check check;
+};
+
+Table<Line> line_table() {
+  return Table<Line>{{"", &Line::name, {"case", "<"}}} + check_table().of(&Line::check);
+}
+
+/// A case that came to no end has a line that says why.
 std::vector<Line> lines_of(const ValidationTable& table) {
   std::vector<Line> lines;
   for (const CaseResult& result : table.cases) {
-    for (const Check& check : result.checks)
-      lines.push_back({result.name, check.source, check.quantity, reference_of(check),
-                       observed_of(check), tolerance_of(check), verdict_of(check)});
+    for (const Check& check : result.checks) lines.push_back({result.name, check});
     if (!result.failure.empty())
-      lines.push_back({result.name, "", result.failure, "", "", "", "FAILS"});
+      lines.push_back({result.name,
+                       {"", result.failure, Criterion::reported, not_a_number, not_a_number, 0.0}});
   }
   return lines;
-}
-
-/// Columns of a terminal that a text takes: its code points.
-std::size_t width_of(const std::string& text) {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
-}
-
-std::string aligned(const Line& line, const std::array<std::size_t, 7>& widths) {
-  std::string text;
-  for (std::size_t c = 0; c < line.size(); ++c) {
-    const std::string gap(widths[c] - width_of(line[c]), ' ');
-    const bool right = c == 3 || c == 4;
-    text += fmt::format("{}{}", c == 0 ? "" : "  ", right ? gap + line[c] : line[c] + gap);
-  }
-  return text.erase(text.find_last_not_of(' ') + 1) + "\n";
 }
 
 std::string verdict(const ValidationTable& table) {
@@ -103,20 +143,33 @@ std::string verdict(const ValidationTable& table) {
   return text + (table.interrupted ? "; interrupted\n" : "\n");
 }
 
-/// A vertical bar would end the cell of a markdown table.
-std::string escaped(std::string text) {
-  for (std::size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2))
-    text.replace(at, 1, "\\|");
-  return text;
-}
-
-std::string row(const Line& line) {
-  std::string text = "|";
-  for (const std::string& cell : line) text += fmt::format(" {} |", escaped(cell));
-  return text + "\n";
-}
-
 }  // namespace
+
+Table<CaseResult> case_table() {
+  using Row = CaseResult;
+  return {
+      {"case", &Row::name},
+      {"title", &Row::title},
+      {"holds", &Row::holds},
+      {"seconds", &Row::seconds},
+      {"figure", [](const Row& row) { return row.file.string(); }},
+      {"undrawn", &Row::undrawn},
+      {"failure", &Row::failure},
+      {"checks", [](const Row& row) { return check_table().json(row.checks); }},
+  };
+}
+
+CaseResult read_checks(const Json& json) {
+  CaseResult result;
+  result.name = json.text("case");
+  result.title = json.text("title");
+  result.seconds = json.number("seconds");
+  result.file = json.text("figure");
+  result.undrawn = json.text("undrawn");
+  result.failure = json.text("failure");
+  for (const Json& row : json.list("checks")) result.checks.push_back(read_check(row));
+  return result;
+}
 
 bool CaseResult::holds() const {
   return failure.empty() && !checks.empty() && std::ranges::all_of(checks, &Check::holds);
@@ -127,23 +180,24 @@ bool ValidationTable::holds() const {
 }
 
 std::string ValidationTable::text() const {
-  const auto lines = lines_of(*this);
-  std::array<std::size_t, 7> widths{};
-  for (std::size_t c = 0; c < widths.size(); ++c) {
-    widths[c] = width_of(heads[c]);
-    for (const Line& line : lines) widths[c] = std::max(widths[c], width_of(line[c]));
-  }
-  std::string text = aligned(heads, widths);
-  std::string last;
-  for (const Line& line : lines) {
-    if (line[0] != last) text += "\n";
-    last = line[0];
-    text += aligned(line, widths);
+  const std::vector<Line> lines = lines_of(*this);
+  const std::vector<std::string> texts = line_table().lines(lines);
+  std::string text = texts[0] + "\n";
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    if (k == 0 || lines[k].name != lines[k - 1].name) text += "\n";
+    text += texts[k + 1] + "\n";
   }
   return text + "\n" + verdict(*this);
 }
 
 std::string ValidationTable::markdown() const {
+  std::vector<Line> lines = lines_of(*this);
+  std::string last;
+  for (Line& line : lines) {
+    const bool again = line.name == last;
+    last = line.name;
+    line.name = again ? "" : fmt::format("[{0}]({0})", last);
+  }
   std::string text =
       "# Validation\n\n"
       "Problems of the literature: what must come out, and what does. This page is what\n\n"
@@ -152,14 +206,7 @@ std::string ValidationTable::markdown() const {
       "source claims;\n[plotting](plotting) says how the figures are drawn. Numbers that are "
       "reported without a verdict are what a\nsource's own method does, beside what the source "
       "says of it.\n\n" +
-      verdict(*this) + "\n" + row(heads) + "|---|---|---|---:|---:|---|---|\n";
-  std::string last;
-  for (Line line : lines_of(*this)) {
-    const bool again = line[0] == last;
-    last = line[0];
-    line[0] = again ? "" : fmt::format("[{0}]({0})", line[0]);
-    text += row(line);
-  }
+      verdict(*this) + "\n" + line_table().markdown(lines);
   for (const CaseResult& result : cases)
     if (!result.file.empty())
       text += fmt::format("\n## {0}: {1}\n\n![{1}](figures/{2})\n", result.name, result.title,
@@ -173,8 +220,7 @@ void ValidationTable::write(const std::filesystem::path& directory) const {
   json.set("version", version);
   json.set("holds", holds());
   json.set("interrupted", interrupted);
-  json.make_list("cases");
-  for (const CaseResult& result : cases) json.append("cases", checks_json(result));
+  json.set("cases", case_table().json(cases));
   json.write(directory / "validation.json");
 }
 

@@ -60,9 +60,8 @@ class CsvWriter {
   std::size_t filled_ = 0;
 };
 
-/// `cell` as one field of a row: in quotes if it holds a comma, a quote or a line end.
-std::string csv_field(const std::string& cell);
-/// Texts as one row with its line end, each a field.
+/// Texts as one row with its line end, each a field: in quotes if it holds a comma, a quote or a
+/// line end.
 std::string csv_line(std::span<const std::string> cells);
 /// A number as a field: 17 significant digits, nothing where it is no finite number.
 std::string csv_number(double value);

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 namespace tlsph {
@@ -23,6 +24,23 @@ class Json {
  public:
   /// An empty object.
   Json();
+  Json(std::nullptr_t);
+  Json(double value);
+  Json(bool value);
+  Json(std::int64_t value);
+  template <std::integral T>
+  Json(T value) : Json(static_cast<std::int64_t>(value)) {}
+  Json(std::string_view text);
+  template <std::convertible_to<std::string_view> T>
+  Json(const T& text) : Json(std::string_view(text)) {}
+  Json(const std::vector<double>& values);
+  Json(const std::vector<std::string>& values);
+  Json(const std::vector<Json>& elements);
+  /// null for nothing.
+  template <class T>
+  Json(const std::optional<T>& value) : Json(value ? Json(*value) : Json(nullptr)) {}
+  /// null for an empty text.
+  static Json text_or_null(std::string_view text) { return text.empty() ? Json(nullptr) : text; }
   Json(const Json&);
   Json(Json&&) noexcept;
   Json& operator=(const Json&);
@@ -33,26 +51,10 @@ class Json {
   static Json parse(std::string_view text, const std::string& origin = "JSON");
   static Json read(const std::filesystem::path& path);
 
-  void set(std::string_view path, double value);
-  void set(std::string_view path, std::string_view value);
-  void set(std::string_view path, const char* value) { set(path, std::string_view(value)); }
-  void set(std::string_view path, const std::string& value) { set(path, std::string_view(value)); }
-  void set(std::string_view path, std::nullptr_t);
-  void set(std::string_view path, const std::vector<double>& values);
-  void set(std::string_view path, const std::vector<std::string>& values);
-  void set(std::string_view path, const Json& tree);
-  template <std::integral T>
-  void set(std::string_view path, T value) {
-    if constexpr (std::same_as<T, bool>)
-      set_bool(path, value);
-    else
-      set_integer(path, static_cast<std::int64_t>(value));
-  }
-  /// null for nothing: an empty optional, an empty text.
-  void set(std::string_view path, const std::optional<double>& value);
-  void set_or_null(std::string_view path, std::string_view text);
+  void set(std::string_view path, Json value);
+  void set_or_null(std::string_view path, std::string_view text) { set(path, text_or_null(text)); }
   /// Adds `element` to the list at `path`, which is made if it is not there.
-  void append(std::string_view path, const Json& element);
+  void append(std::string_view path, Json element);
   /// Makes the list at `path` if it is not there, so that an empty one is written too.
   void make_list(std::string_view path);
 
@@ -66,6 +68,11 @@ class Json {
   /// Elements of the list at `path`, each a document of its own.
   [[nodiscard]] std::vector<Json> list(std::string_view path) const;
 
+  using Scalar = std::variant<std::monostate, bool, std::int64_t, double, std::string>;
+  /// The value of a document that is a bool, a number or a text; nothing for lists, objects, null
+  /// and doubles that are not finite.
+  [[nodiscard]] Scalar scalar() const;
+
   /// The document as text; `indent` spaces a level, on one line if negative.
   [[nodiscard]] std::string dump(int indent = 2) const;
   /// Writes the document with a final line end, whole or not at all; OutputError on failure.
@@ -73,8 +80,6 @@ class Json {
 
  private:
   struct Tree;
-  void set_bool(std::string_view path, bool value);
-  void set_integer(std::string_view path, std::int64_t value);
   std::unique_ptr<Tree> tree_;
 };
 

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -22,8 +23,9 @@ struct BenchmarkRow {
   int threads = 1;
   StorageReport storage;
   double ns = 0.0;  ///< CPU time of a thread per particle and step, the fastest of several batches
-  double spread = 0.0;         ///< median over fastest, minus one
-  double plain_ns = 0.0;       ///< of the plain way on one thread; 0 where it was not measured
+  double spread = 0.0;  ///< median over fastest, minus one
+  /// Of the plain way on one thread; not a number where it was not measured.
+  double plain_ns = std::numeric_limits<double>::quiet_NaN();
   double bytes = 0.0;          ///< per particle and step that must come from and go to memory
   double multiply_adds = 0.0;  ///< per particle and step
   double memory_ns = 0.0, arithmetic_ns = 0.0;  ///< what the machine would need for either

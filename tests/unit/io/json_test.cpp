@@ -6,6 +6,9 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <string>
+#include <variant>
+#include <vector>
 
 #include "support.hpp"
 #include "tlsph/core/error.hpp"
@@ -75,6 +78,20 @@ TEST(Json, IntegersKeepAllDigitsAndTextsTheirQuotes) {
   EXPECT_EQ(read.integer("large"), 9007199254740993);
   EXPECT_EQ(read.integer("size"), 12);
   EXPECT_EQ(read.text("text"), "a \"b\"\n\\ é");
+}
+
+TEST(Json, IsMadeOfAValueAndGivesItBack) {
+  using testing::VariantWith;
+
+  EXPECT_THAT(Json(true).scalar(), VariantWith<bool>(true));
+  EXPECT_THAT(Json(7).scalar(), VariantWith<std::int64_t>(7));
+  EXPECT_THAT(Json(0.5).scalar(), VariantWith<double>(0.5));
+  EXPECT_THAT(Json("text").scalar(), VariantWith<std::string>("text"));
+  for (const Json& none : {Json(), Json(nullptr), Json(std::numeric_limits<double>::infinity()),
+                           Json(std::vector<double>{1.0}), Json::text_or_null("")})
+    EXPECT_THAT(none.scalar(), VariantWith<std::monostate>(std::monostate())) << none.dump();
+  EXPECT_EQ(Json(std::vector<Json>{1, "two", std::optional<double>()}).dump(-1),
+            "[1,\"two\",null]");
 }
 
 TEST(Json, TextThatIsNotUtf8CostsNoDocument) {
