@@ -1,7 +1,7 @@
 #pragma once
 /// \file
 /// Triangles between given edges, and pairs of them as quadrilaterals, for
-/// particles/block_fill.cpp.
+/// filling/block_fill.cpp.
 
 #include <array>
 #include <vector>

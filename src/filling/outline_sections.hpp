@@ -1,7 +1,7 @@
 #pragma once
 /// \file
 /// The outline of a shape from corner to corner, divided into edges of blocks, for
-/// particles/block_fill.cpp.
+/// filling/block_fill.cpp.
 
 #include <array>
 #include <vector>

@@ -12,7 +12,7 @@ extern "C" __attribute__((weak)) void dpotrf_(const char*, const int*, double*, 
 namespace tlsph {
 namespace {
 
-/// OpenBLAS maps this much for a thread at its first call.
+/// OpenBLAS, as Debian builds it, takes this much at the first call of a thread.
 constexpr std::size_t work_space = (std::size_t{128} << 20) + (std::size_t{1} << 20);
 
 }  // namespace

@@ -159,7 +159,6 @@ void Cholesky::solve_into(const double* rhs, double* x, SolveWorkspace& workspac
   if (impl_->factor->is_super == 0) restore_shape(scratch.permuted);
   if (cholmod_solve2(CHOLMOD_A, impl_->factor, &b, nullptr, &solution_handle, nullptr,
                      &scratch.permuted, &scratch.supernode, scratch.state.get()) == 0) {
-    if (scratch.state.get()->status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
     throw NumericalError(
         fmt::format("{}: the solve failed with status {}", method, scratch.state.get()->status),
         0.0, -1);

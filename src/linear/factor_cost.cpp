@@ -34,7 +34,11 @@ FactorCost factor_cost(const SparseMatrix& A) {
   CholmodState state;
   state.get()->final_ll = 1;
   cholmod_factor* factor = cholmod_analyze(&view, state.get());
-  if (factor == nullptr) throw std::bad_alloc();
+  if (factor == nullptr) {
+    const int status = state.get()->status;
+    if (status == CHOLMOD_OUT_OF_MEMORY || status == CHOLMOD_TOO_LARGE) throw std::bad_alloc();
+    throw_failure("Cholesky (CHOLMOD)", A, "the analysis failed");
+  }
   cost.entries = state.get()->lnz;
   cost.flops = state.get()->fl;
   const auto stored = static_cast<double>(factor->xsize);

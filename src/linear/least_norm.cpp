@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <SuiteSparseQR.hpp>
 #include <cassert>
 #include <new>
@@ -57,7 +59,7 @@ struct LeastNorm::Impl {
     cholmod_sparse view = long_view(by_columns);
     factors =
         SuiteSparseQR_factorize<double>(SPQR_ORDERING_DEFAULT, SPQR_NO_TOL, &view, state.get());
-    if (factors == nullptr) throw std::bad_alloc();
+    if (factors == nullptr) fail();
     unknowns = transposed.rows();
     conditions = transposed.cols();
     if (factors->rank < conditions)
@@ -69,11 +71,16 @@ struct LeastNorm::Impl {
 
   /// The columns of what a call of SPQR gave, which is freed.
   Eigen::VectorXd take(cholmod_dense* result) {
-    if (result == nullptr) throw std::bad_alloc();
+    if (result == nullptr) fail();
     Eigen::VectorXd copy = Eigen::Map<const Eigen::VectorXd>(static_cast<const double*>(result->x),
                                                              static_cast<Index>(result->nrow));
     cholmod_l_free_dense(&result, state.get());
     return copy;
+  }
+
+  [[noreturn]] void fail() {
+    if (state.get()->status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
+    throw NumericalError(fmt::format("{}: status {}", method, state.get()->status), 0.0, -1);
   }
 
   LongState state;

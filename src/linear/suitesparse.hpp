@@ -85,7 +85,7 @@ void require_finite(const SparseMatrix& A, const std::string& method);
 void require_square(const SparseMatrix& A, const std::string& method);
 
 /// Takes the work space of OpenBLAS, once. Where that cannot be had this is std::bad_alloc;
-/// OpenBLAS itself would try for ever.
+/// OpenBLAS itself would retry forever. For the thread that calls first.
 void reserve_blas_memory();
 
 /// Throws NumericalError: the matrix cannot be factorised, and why.

@@ -47,7 +47,7 @@ SymmetricOrGeneral::Factor SymmetricOrGeneral::factorise(const SparseMatrix& A, 
   if (choice == SolverChoice::cholmod) {
     throw InputError(place,
                      fmt::format("\"cholmod\" wants a symmetric positive definite matrix, and "
-                                 "this one is {}; use \"automatic\" or \"umfpack\"",
+                                 "this one is {}; use \"auto\" or \"umfpack\"",
                                  reason));
   }
   return Lu(A);

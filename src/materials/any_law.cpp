@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "tlsph/core/error.hpp"
 
 namespace tlsph {
@@ -24,7 +26,7 @@ void check_constants(LawName name, std::span<const double> values) {
   for (std::size_t k = 0; k < values.size(); ++k)
     if (!constants[k].range.contains(values[k]))
       throw InputError(fmt::format("{}: must be {}, not {}", constants[k].name,
-                                   constants[k].range.text(), values[k]));
+                                   constants[k].range.requirement(), values[k]));
 }
 
 }  // namespace
@@ -34,6 +36,15 @@ AnyLaw<D> make_law(LawName name, Assumption assumption, std::span<const double> 
   check_constants(name, constants);
   const auto index = 2 * static_cast<std::size_t>(name) + static_cast<std::size_t>(assumption);
   return make_listed<D>(laws::Listed<D>(), index, constants);
+}
+
+std::vector<LawConstant> all_law_constants() {
+  std::vector<LawConstant> all;
+  for (const std::span<const LawConstant> each : laws::constants(laws::Listed<2>()))
+    for (const LawConstant& constant : each)
+      if (std::ranges::find(all, constant.name, &LawConstant::name) == all.end())
+        all.push_back(constant);
+  return all;
 }
 
 Moduli moduli_at_rest(LawName name, std::span<const double> constants) {

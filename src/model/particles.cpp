@@ -73,11 +73,11 @@ double operator_bytes(const Scene& scene, double particles) {
   const double follower = follows_deformation(scene) ? tensor : 0.0;  // two in single precision
   // What comes and goes beside these: at set-up pattern, weights and transposed at once, then the
   // pair errors and the products that make a stabiliser of them; in a run six vectors of an
-  // eigenvalue's estimate, its stresses and what it keeps of the tangents.
+  // eigenvalue's estimate and its stresses.
   const double setup =
       cells ? row + 2.0 * rows_of_stabiliser
             : std::max(2.0 * row + 12.0 * vector, row + 3.0 * rows_of_stabiliser + pair_errors);
-  const double estimate = 6.0 * vector + tensor + (modes ? vector : 0.0) + 24.0;
+  const double estimate = 6.0 * vector + tensor + (modes ? vector : 0.0) + 8.0;
   return particles *
          (2.0 * row + rows_of_stabiliser + body + std::max(setup, state + follower + estimate));
 }

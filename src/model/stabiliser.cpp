@@ -1,4 +1,5 @@
 #include <cmath>
+#include <vector>
 
 #include "parts.hpp"
 #include "tlsph/materials/lame.hpp"
@@ -48,11 +49,14 @@ double automatic(const Scene& scene) {
 template <int D>
 ScalarField strengths(const Scene& scene, const Discretisation<D>& disc, const VectorField<D>& at) {
   const double coefficient = scene.stabiliser.coefficient.value_or(automatic(scene));
+  std::vector<double> units;
+  for (const MaterialScene& material : scene.materials)
+    units.push_back(unit(scene, material, disc.spacing));
   ScalarField result(at.rows());
   for (Index s = 0; s < at.rows(); ++s) {
     const Vector<D> x = at.row(s).transpose();
     const std::size_t material = material_at<D>(scene, x, 1e-9 * disc.spacing);
-    result[s] = coefficient * unit(scene, scene.materials[material], disc.spacing);
+    result[s] = coefficient * units[material];
   }
   return result;
 }

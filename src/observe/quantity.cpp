@@ -1,6 +1,11 @@
 #include "tlsph/observe/quantity.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
+
+#include "tlsph/core/error.hpp"
 
 namespace tlsph {
 
@@ -9,6 +14,13 @@ const Quantity<D>* find_quantity(std::string_view name) {
   const auto& all = quantities<D>;
   const auto* const found = std::ranges::find(all, name, &Quantity<D>::name);
   return found == all.end() ? nullptr : found;
+}
+
+template <int D>
+const Quantity<D>& quantity_named(std::string_view name) {
+  if (const Quantity<D>* found = find_quantity<D>(name)) return *found;
+  throw InputError(
+      fmt::format("no quantity \"{}\"; choose from {}", name, fmt::join(quantity_names, ", ")));
 }
 
 template <int D>
@@ -47,6 +59,8 @@ Observed<D> observed_point(const Discretisation<D>& disc, const State<D>& state,
 
 template const Quantity<1>* find_quantity<1>(std::string_view);
 template const Quantity<2>* find_quantity<2>(std::string_view);
+template const Quantity<1>& quantity_named<1>(std::string_view);
+template const Quantity<2>& quantity_named<2>(std::string_view);
 template std::vector<std::string> component_suffixes<1>(const Quantity<1>&);
 template std::vector<std::string> component_suffixes<2>(const Quantity<2>&);
 

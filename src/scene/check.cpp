@@ -18,8 +18,7 @@ void check_number(const Node& node, const Key& key) {
   const std::optional<Range>& range = key.allowed.range;
   if (range && !range->contains(x))
     throw InputError(node.place,
-                     fmt::format("must be {}{}, not {}", range->text().front() == '>' ? "" : "in ",
-                                 range->text(), print_value(node)));
+                     fmt::format("must be {}, not {}", range->requirement(), print_value(node)));
 }
 
 void check_word(const Node& node, const Key& key) {

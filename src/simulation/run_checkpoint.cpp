@@ -101,7 +101,10 @@ struct RestoredValues {
   void operator()(const std::string& name, std::optional<HyperbolicityLoss>& loss) const {
     loss.reset();
     const std::vector<double>& values = checkpoint.array(name);
-    if (values.size() < 3) return;
+    if (values.empty()) return;
+    if (values.size() < 5 || values.size() % 2 == 0)
+      throw InputError(Place{checkpoint.path.string(), 0, 0, ""},
+                       "\"" + name + "\" is damaged; start without --resume");
     const auto position = values.begin() + 3;
     const auto stretches = position + (values.end() - position) / 2;
     loss = {values[0],

@@ -23,7 +23,7 @@ RunLayout layout_of(const Scene& scene, const Discretisation<D>& disc) {
   layout.particles = static_cast<std::size_t>(disc.nodes());
   layout.points = static_cast<std::size_t>(disc.points.size());
   for (const std::string& name : scene.output.fields) {
-    const Quantity<D>& quantity = *find_quantity<D>(name);
+    const Quantity<D>& quantity = quantity_named<D>(name);
     layout.fields.push_back({name, quantity.site, quantity.rank, std::string(quantity.unit)});
   }
   layout.series = series_layout<D>();
@@ -111,7 +111,7 @@ RunOutput<D>::RunOutput(const std::filesystem::path& directory, const Scene& sce
     known = {"time"};
     for (const ProbeScene& probe : scene.probes)
       for (const std::string& name : probe.record) {
-        const Quantity<D>& quantity = *find_quantity<D>(name);
+        const Quantity<D>& quantity = quantity_named<D>(name);
         if (quantity.exact == nullptr) continue;
         for (const std::string& suffix : component_suffixes<D>(quantity))
           known.push_back(probe.name + '.' + name + suffix);
@@ -138,7 +138,7 @@ std::span<const double> RunOutput<D>::field(const std::string& name, const Discr
                                             const State<D>& state, double dt) {
   if (name == "displacement") return flat(state.u);  // as they are, without a copy
   if (name == "pk1") return flat(state.P);
-  const Quantity<D>& quantity = *find_quantity<D>(name);
+  const Quantity<D>& quantity = quantity_named<D>(name);
   const bool moves = quantity.site == Site::particles;
   const Index rows = moves ? disc.nodes() : disc.points.size();
   std::vector<double>& out = scratch_[name];
@@ -192,7 +192,7 @@ void RunOutput<D>::write_exact(double time) {
   for (const ProbeScene& probe : requests_) {
     const Vector<D> X = Eigen::Map<const Vector<D>>(probe.at.data());
     for (const std::string& name : probe.record) {
-      const Quantity<D>& quantity = *find_quantity<D>(name);
+      const Quantity<D>& quantity = quantity_named<D>(name);
       if (quantity.exact == nullptr) continue;
       for_components<D>(quantity.rank, quantity.symmetric, [&](int i, int j) {
         exact_row_[out++] = quantity.exact(*exact_, X, time, i, j);

@@ -17,12 +17,12 @@ constexpr double time_share = 0.25, stress_share = 0.25;
 constexpr double worth = 1e5, worth_seconds = 0.2;
 
 bool is_stress(const std::string& quantity) {
-  return find_quantity<2>(quantity)->unit == "Pa";
+  return quantity_named<2>(quantity).unit == "Pa";
 }
 
 template <int D>
 double bytes_of(const std::string& name, const Discretisation<D>& disc) {
-  const Quantity<D>& quantity = *find_quantity<D>(name);
+  const Quantity<D>& quantity = quantity_named<D>(name);
   const Index rows = quantity.site == Site::particles ? disc.nodes() : disc.points.size();
   return 8.0 * static_cast<double>(component_count(quantity.rank, D)) * static_cast<double>(rows);
 }

@@ -35,7 +35,7 @@ std::vector<std::string> columns_of(const Scene& scene) {
   std::vector<std::string> columns;
   for (const ProbeScene& probe : scene.probes)
     for (const std::string& name : probe.record)
-      for (const std::string& suffix : component_suffixes<D>(*find_quantity<D>(name)))
+      for (const std::string& suffix : component_suffixes<D>(quantity_named<D>(name)))
         columns.push_back(fmt::format("{}.{}{}", probe.name, name, suffix));
   return columns;
 }

@@ -2,8 +2,6 @@
 /// \file
 /// The values a number may take.
 
-#include <fmt/format.h>
-
 #include <limits>
 #include <string>
 
@@ -18,11 +16,9 @@ struct Range {
     return (with_low ? x >= low : x > low) && (with_high ? x <= high : x < high);
   }
   /// `> 0`, `>= 0` or `(-1, 0.5]`.
-  [[nodiscard]] std::string text() const {
-    if (high == std::numeric_limits<double>::infinity())
-      return fmt::format("{} {:g}", with_low ? ">=" : ">", low);
-    return fmt::format("{}{:g}, {:g}{}", with_low ? '[' : '(', low, high, with_high ? ']' : ')');
-  }
+  [[nodiscard]] std::string text() const;
+  /// What a number must be: the text, with "in " before an interval.
+  [[nodiscard]] std::string requirement() const;
 };
 
 [[nodiscard]] constexpr Range above(double low) {

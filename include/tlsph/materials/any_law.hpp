@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Whichever law it is. Visit outside the loop:
+/// A variant of all laws. Visit outside the loop:
 ///
 ///     std::visit([&](const auto& law) { for (…) P = law.pk1(H); }, any_law);
 ///
@@ -12,6 +12,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "tlsph/materials/given_law.hpp"
 #include "tlsph/materials/law_list.hpp"
@@ -24,6 +25,10 @@ template <int D, Assumption A = Assumption::strain>
 using StVenantKirchhoff = Law<laws::StVenantKirchhoff<D, A>>;
 template <int D, Assumption A = Assumption::strain>
 using NeoHookean = Law<laws::NeoHookean<D, A>>;
+
+static_assert(ElasticLaw<LinearElastic<2>, 2>);
+static_assert(ElasticLaw<StVenantKirchhoff<2>, 2>);
+static_assert(ElasticLaw<NeoHookean<2>, 2>);
 
 namespace laws {
 
@@ -47,6 +52,9 @@ template <int D>
                                  double poisson) {
   return make_law<D>(name, assumption, std::array{young, poisson});
 }
+
+/// The constants of all listed laws, each name once.
+[[nodiscard]] std::vector<LawConstant> all_law_constants();
 
 /// Elastic moduli of small strains.
 struct Moduli {

@@ -98,8 +98,8 @@ template <int D, class R, class Law>
   return dP;
 }
 
-/// ∂P/∂F of a law at H, rows and columns numbered i*D + a: the text's own expression, which costs a
-/// fifth, or by dual numbers.
+/// ∂P/∂F of a law at H, rows and columns numbered i*D + a: the text's own expression, at a
+/// fifth of the cost, or by dual numbers.
 template <int D, class R, class Law>
 [[gnu::always_inline]] inline TensorOf<D * D, R> tangent_of(const Law& law,
                                                             const TensorOf<D, R>& H) {

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
 /// A law that is not in the list of any_law.hpp: whichever struct a caller brings, behind one
-/// pointer. Evaluated point by point; no vectorised kernel knows it.
+/// pointer. Evaluated point by point: it has no inner loops of its own.
 
 #include <memory>
 #include <utility>

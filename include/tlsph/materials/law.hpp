@@ -14,6 +14,7 @@
 ///   law.hpp                                          what a law is
 ///   numbers.hpp, dual.hpp, kinematics.hpp            what a text is written in
 ///   linear_elastic, st_venant_kirchhoff, neo_hookean the texts
+///   law_constant.hpp                                 constants, which are keys of scenes
 ///   law_list.hpp, any_law.hpp                        the list of them, and the maker
 ///   given_law.hpp                                    a law of the caller's own
 ///   lame.hpp, waves.hpp                              elastic constants, wave speeds, hyperbolicity
@@ -53,7 +54,8 @@ concept ElasticLaw = requires(const L& law, const Tensor<D>& H) {
 /// A law from its text, with tensors for components. A text has, beside its constants,
 ///
 ///     dimension, name, small_strain, keys: its constants, whose values a constructor takes
-///     R energy(TensorOf<D, R> H), TensorOf<D, R> stress(H, Mask<R>& good)       for any R
+///     R energy(TensorOf<D, R> H)                       for double and its dual numbers
+///     TensorOf<D, R> stress(H, Mask<R>& good)          for vectors and theirs too
 ///     double transverse_stretch(H), transverse_stress(H), margin(H)
 ///
 /// where `good` is lost outside the law's range, and may have what any_law.hpp and the sweep ask

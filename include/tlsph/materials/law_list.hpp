@@ -3,12 +3,10 @@
 /// The list of the laws. A new law is its text in a header of its own and its two entries here;
 /// names, the maker, the inner loops of a sweep and the benchmark follow.
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
 #include <string_view>
-#include <vector>
 
 #include "tlsph/materials/neo_hookean.hpp"
 #include "tlsph/materials/st_venant_kirchhoff.hpp"
@@ -55,16 +53,6 @@ inline constexpr auto law_names = laws::names(laws::Listed<2>());
 /// In the order in which a law takes their values.
 [[nodiscard]] constexpr std::span<const LawConstant> constants_of(LawName name) {
   return laws::constants(laws::Listed<2>())[static_cast<std::size_t>(name)];
-}
-
-/// The constants of all laws, each name once.
-[[nodiscard]] inline std::vector<LawConstant> all_law_constants() {
-  std::vector<LawConstant> all;
-  for (const std::span<const LawConstant> each : laws::constants(laws::Listed<2>()))
-    for (const LawConstant& constant : each)
-      if (std::ranges::find(all, constant.name, &LawConstant::name) == all.end())
-        all.push_back(constant);
-  return all;
 }
 
 }  // namespace tlsph

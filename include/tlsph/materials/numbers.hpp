@@ -2,11 +2,12 @@
 /// \file
 /// What the arithmetic of a law is written in. A law is a template of the number type R: `double`,
 /// a vector of doubles (the inner loops of a sweep bring theirs) or a dual number of either
-/// (dual.hpp). `Numbers<R>` is what such a type can do beside + − × ÷ and comparisons.
+/// (dual.hpp). `Numbers<R>` is what such a type can do beside +, −, ×
+/// and comparisons with a double, as dual.hpp has them.
 ///
-/// No Eigen here nor in the laws: the inner loops are compiled once an instruction set, and an
-/// inline function that both they and the rest of the program instantiate would be linked once
-/// only.
+/// No Eigen and no fmt here nor in the laws: the inner loops are compiled once an instruction set,
+/// and an inline function that both they and the rest of the program instantiate would be linked
+/// once only.
 
 #include <cmath>
 #include <type_traits>
@@ -34,7 +35,7 @@ struct TensorOf {
 template <class M>
 using NumberOf = std::remove_cvref_t<decltype(std::declval<const M&>()(0, 0))>;
 
-/// Stresses and strains from here on are no numbers.
+/// Larger stresses and strains count as not finite.
 inline constexpr double huge = 0x1p1000;
 
 /// ln J from e = J − 1 to full relative precision, NaN for J ≤ 0. The rounding error of 1 + e is

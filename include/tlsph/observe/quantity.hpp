@@ -81,6 +81,9 @@ inline constexpr auto quantity_names = [] {
 /// The quantity of a name, or null.
 template <int D>
 [[nodiscard]] const Quantity<D>* find_quantity(std::string_view name);
+/// The quantity of a name; InputError if there is none.
+template <int D>
+[[nodiscard]] const Quantity<D>& quantity_named(std::string_view name);
 
 /// Calls `take(i, j)` for each component, row by row; of a symmetric tensor from the diagonal on.
 template <int D, class Take>

@@ -97,8 +97,8 @@ struct MaterialScene {
   [[nodiscard]] std::optional<double> constant(std::string_view name) const {
     const auto keys = constants_of(law);
     const auto found = std::ranges::find(keys, name, &LawConstant::name);
-    if (found == keys.end()) return std::nullopt;
-    return constants[static_cast<std::size_t>(found - keys.begin())];
+    const auto k = static_cast<std::size_t>(found - keys.begin());
+    return k < constants.size() ? std::optional(constants[k]) : std::nullopt;
   }
   [[nodiscard]] Moduli moduli() const { return moduli_at_rest(law, constants); }
 };

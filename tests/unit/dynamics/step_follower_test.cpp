@@ -212,7 +212,7 @@ TYPED_TEST(Follower, GoesOnFromItsValuesAsIfItHadNotStopped) {
   EXPECT_EQ(resumed.estimates(), follower.estimates());
 }
 
-/// Every law, one without inner loops of its own among them (plane stress of negative λ).
+/// Every law, in plane stress with a negative λ too.
 template <int D>
 std::vector<AnyLaw<D>> nonlinear_laws() {
   std::vector<AnyLaw<D>> laws;
