@@ -2,57 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
-#include <charconv>
-#include <fstream>
-
-#include "tlsph/core/error.hpp"
 
 namespace tlsph {
-namespace {
-
-std::vector<std::string_view> cells_of(std::string_view line) {
-  std::vector<std::string_view> cells;
-  while (true) {
-    const auto comma = line.find(',');
-    cells.push_back(line.substr(0, comma));
-    if (comma == std::string_view::npos) return cells;
-    line.remove_prefix(comma + 1);
-  }
-}
-
-double number(std::string_view cell, const Place& place) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (error != std::errc() || end != cell.data() + cell.size())
-    throw InputError(place, "\"" + std::string(cell) + "\" is no number");
-  return value;
-}
-
-}  // namespace
-
-History read_history(const std::filesystem::path& csv) {
-  Place place{csv.string(), 0, 0, ""};
-  std::ifstream file(csv);
-  std::string line;
-  if (!file || !std::getline(file, line)) throw InputError(place, "cannot be read, or is empty");
-  const auto header = cells_of(line);
-  place.line = place.column = 1;
-  if (header.front() != "time") throw InputError(place, "the first column must be time");
-  History history;
-  history.names.assign(header.begin() + 1, header.end());
-  history.values.resize(history.names.size());
-  while (std::getline(file, line)) {
-    ++place.line;
-    const auto cells = cells_of(line);
-    if (cells.size() != history.names.size() + 1)
-      throw InputError(place, "a row has as many cells as the header");
-    history.time.push_back(number(cells.front(), place));
-    for (std::size_t k = 1; k < cells.size(); ++k)
-      history.values[k - 1].push_back(number(cells[k], place));
-  }
-  if (history.time.empty()) throw InputError(place, "no rows");
-  return history;
-}
 
 std::vector<double> resample(std::span<const double> time, std::span<const double> values,
                              std::span<const double> at) {

@@ -12,13 +12,12 @@ namespace tlsph {
 /// A scene with `reference.exact = "bar-wave"` and what its probes should have recorded.
 struct BarWaveRun {
   CaseScene scene;
-  History exact;
 
   /// Runs the scene; the arguments are those of CaseRun::scene.
   BarWaveRun(CaseRun& run, const std::string& label, const std::string& file,
              const std::vector<std::string>& overrides);
 
-  [[nodiscard]] std::span<const double> time() const { return scene.history.time; }
+  [[nodiscard]] std::span<const double> time() const { return scene.probes.computed.time; }
   /// P_xx at a probe [Pa], computed and exact.
   [[nodiscard]] std::span<const double> stress(const std::string& probe) const;
   [[nodiscard]] std::span<const double> exact_stress(const std::string& probe) const;

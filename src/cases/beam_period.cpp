@@ -50,7 +50,7 @@ double period(const CaseRun& run, std::vector<std::string> overrides, int throug
 double period_of_run(CaseRun& run, int through) {
   const CaseScene swing =
       run.scene("swing", "plate.toml", {fmt::format("body.spacing={}", height / (through - 1))});
-  return mean_period(swing.history.time, swing.probe("tip.displacement_y"));
+  return mean_period(swing.probes.computed.time, swing.probe("tip.displacement_y"));
 }
 
 }  // namespace

@@ -8,10 +8,9 @@
 #include "kernel_corrections.hpp"
 #include "list.hpp"
 #include "tlsph/core/error.hpp"
-#include "tlsph/dynamics/critical_step.hpp"
-#include "tlsph/dynamics/ledger.hpp"
 #include "tlsph/model/builder.hpp"
 #include "tlsph/operators/gradients.hpp"
+#include "tlsph/stepping/stepper.hpp"
 
 namespace tlsph {
 namespace {
@@ -122,23 +121,22 @@ struct Drift {
 Drift drift(CaseRun& run, const Discretisation<2>& disc, double dt) {
   const Scene scene = run.read("disc.toml");
   const auto initial = build_initial<2>(scene, disc);
-  State<2> state = make_state<2>(disc, initial.displacement, initial.velocity);
   Drift result;
   try {
-    evaluate<2>(disc, state);
-    state.last_dt = dt;
-    start<2>(disc, state, dt);
-    const Balance<2> first = balance<2>(disc, state, dt);
+    Stepper<2> stepper(disc, initial.displacement, initial.velocity,
+                       {.step = dt, .sweep = false, .balance_every = 0});
+    stepper.evaluate();
+    const Balance<2> first = balance<2>(stepper.instant());
     const auto steps = static_cast<long>(scene.time.end / dt);
     for (long n = 0; n <= steps; ++n) {
-      const Balance<2> now = balance<2>(disc, state, dt);
-      result.time.push_back(state.time);
+      stepper.evaluate();
+      const Balance<2> now = balance<2>(stepper.instant());
+      result.time.push_back(stepper.state().time);
       result.linear.push_back((now.linear_momentum - first.linear_momentum).norm() /
                               first.momentum_scale);
       result.angular.push_back(std::abs(now.angular_momentum - first.angular_momentum) /
                                first.angular_scale);
-      advance<2>(disc, state, dt, static_cast<double>(n + 1) * dt);
-      evaluate<2>(disc, state);
+      stepper.step();
     }
   } catch (const NumericalError&) {
     // A pair without an energy may end in det F ≤ 0; what it lost until then has been recorded.

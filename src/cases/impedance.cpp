@@ -43,7 +43,7 @@ struct Wave {
   TwoPartBar bar;
   std::vector<std::vector<double>> exact;
 
-  [[nodiscard]] std::span<const double> time() const { return scene.history.time; }
+  [[nodiscard]] std::span<const double> time() const { return scene.probes.computed.time; }
   /// The mean stress over the load's, while the plateau of a ray passes that set out at `start`
   /// and is alone for `alone` seconds.
   [[nodiscard]] double share(const std::string& probe, double start, double alone) const {
@@ -60,7 +60,7 @@ struct Wave {
 Wave run_wave(CaseRun& run, const std::string& label, const std::vector<std::string>& set,
               const TwoPartBar& bar) {
   Wave wave{run.scene(label, "bar.toml", set), bar, {}};
-  const auto& time = wave.scene.history.time;
+  const auto& time = wave.scene.probes.computed.time;
   const TwoPartWave exact(bar, time.back());
   for (const double x : {place_a, place_wall, place_b}) {
     auto& history = wave.exact.emplace_back();

@@ -8,12 +8,12 @@
 
 #include "list.hpp"
 #include "tlsph/analysis/spectrum.hpp"
-#include "tlsph/dynamics/critical_step.hpp"
 #include "tlsph/dynamics/state.hpp"
 #include "tlsph/linear/factorization.hpp"
 #include "tlsph/model/builder.hpp"
 #include "tlsph/operators/gradients.hpp"
 #include "tlsph/operators/products.hpp"
+#include "tlsph/stepping/stepper.hpp"
 #include "vibration.hpp"
 
 namespace tlsph {
@@ -97,27 +97,30 @@ void reinterpolated(CaseRun& run) {
   const auto disc = build<2>(scene);
   const MixedForm form(kernel(scene.kernel.family), support * disc.spacing, disc.particles.X);
   const auto initial = build_initial<2>(scene, disc);
-  State<2> basic = make_state<2>(disc, initial.displacement, initial.velocity);
-  State<2> passed = make_state<2>(disc, initial.displacement, initial.velocity);
-  evaluate<2>(disc, basic);
-  const double dt = 0.8 * critical_step<2>(disc, basic).dt;
-  evaluate_mixed(disc, form, passed);
-  start<2>(disc, basic, dt);
-  start<2>(disc, passed, dt);
+  Stepper<2> basic(disc, initial.displacement, initial.velocity,
+                   {.safety = 0.8, .adaptive = false, .sweep = false, .balance_every = 0});
+  const double dt = 0.8 * basic.critical().dt;
+  Stepper<2> passed(disc, initial.displacement, initial.velocity,
+                    {.step = dt,
+                     .balance_every = 0,
+                     .evaluate = [&form](const Discretisation<2>& body, State<2>& state) {
+                       evaluate_mixed(body, form, state);
+                     }});
   std::vector<std::vector<double>> columns(3);
   double displacement = 0.0;
   double stress = 0.0;
   const auto steps = static_cast<long>(scene.time.end / dt);
   for (long n = 0; n < steps; ++n) {
-    advance<2>(disc, basic, dt, static_cast<double>(n + 1) * dt);
-    advance<2>(disc, passed, dt, static_cast<double>(n + 1) * dt);
-    evaluate<2>(disc, basic);
-    evaluate_mixed(disc, form, passed);
-    columns[0].push_back(basic.time);
-    columns[1].push_back((passed.u - basic.u).cwiseAbs().maxCoeff() /
-                         basic.u.cwiseAbs().maxCoeff());
-    columns[2].push_back((passed.P - basic.P).cwiseAbs().maxCoeff() /
-                         basic.P.cwiseAbs().maxCoeff());
+    for (Stepper<2>* stepper : {&basic, &passed}) {
+      stepper->step();
+      stepper->evaluate();
+    }
+    const auto difference = [](const auto& a, const auto& b) {
+      return (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
+    };
+    columns[0].push_back(basic.state().time);
+    columns[1].push_back(difference(passed.state().u, basic.state().u));
+    columns[2].push_back(difference(passed.state().P, basic.state().P));
     displacement = std::max(displacement, columns[1].back());
     stress = std::max(stress, columns[2].back());
   }

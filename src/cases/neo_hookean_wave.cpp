@@ -8,9 +8,10 @@
 #include "list.hpp"
 #include "signals.hpp"
 #include "simple_wave.hpp"
+#include "tlsph/analysis/history.hpp"
 #include "tlsph/analysis/order.hpp"
-#include "tlsph/dynamics/critical_step.hpp"
 #include "tlsph/model/builder.hpp"
+#include "tlsph/stepping/critical_step.hpp"
 #include "validation_bar.hpp"
 
 namespace tlsph {
@@ -59,7 +60,7 @@ double error_against(const History& exact, std::size_t column, double end,
 
 /// The largest |v + m(H)| at 0.10 m before anything comes back, over the largest |m|.
 double invariant_error(const SimpleWave& exact, const CaseScene& scene) {
-  const auto& time = scene.history.time;
+  const auto& time = scene.probes.computed.time;
   const auto v = scene.probe("p3.velocity_x");
   const auto F = scene.probe("p3.deformation_gradient_xx");
   const double back = first_reflection(exact);
@@ -83,7 +84,8 @@ double speed_error(CaseRun& run, const std::string& formulation, const SimpleWav
   for (int k = 1; k <= 9; ++k) {
     const double level = 0.1 * k;
     const double sent = time_of(level);
-    const double arrived = reaches(scene.history.time, scene.probe("p3.pk1_xx"), -level * crest);
+    const double arrived =
+        reaches(scene.probes.computed.time, scene.probe("p3.pk1_xx"), -level * crest);
     const double H = exact.gradient_under(level * crest);
     const double seen = 0.10 / (arrived - sent);
     error = std::max(error, std::abs(seen / exact.speed(H) - 1.0));
@@ -128,14 +130,14 @@ void check_large(CaseRun& run, const std::string& formulation, const SimpleWave&
   const std::string source = "P(X, τ + X/c) = p(τ)";
   run.at_most(source, "relative L2 error of stress at 0.10 m" + of, limits.field, stress_error);
   run.at_most(source, "relative L2 error of velocity at 0.10 m" + of, limits.field,
-              error_against(exact.history(0.10), 1, first_reflection(exact), scene.history.time,
-                            scene.probe("p3.velocity_x")));
+              error_against(exact.history(0.10), 1, first_reflection(exact),
+                            scene.probes.computed.time, scene.probe("p3.velocity_x")));
   run.at_most("c² = (dP/dF)/ρ", "speed of nine levels to 0.10 m / c(F) − 1" + of, limits.speed,
               speed_error(run, formulation, exact, scene));
   run.at_most("v = −∫c dF", "largest |v + m(F)| / |m| at 0.10 m" + of, limits.invariant,
               invariant_error(exact, scene));
   const double wall = exact.stress(wall_gradient(exact));
-  const double crest = peak(scene.history.time, scene.probe("p4.pk1_xx"), 0.0, 1.0);
+  const double crest = peak(scene.probes.computed.time, scene.probe("p4.pk1_xx"), 0.0, 1.0);
   const std::string at_the_wall = "largest pressure at the fixed end" + of + " [Pa]";
   if (formulation == "variational")
     run.report("m(F) doubles", at_the_wall, crest, -wall);
@@ -168,7 +170,7 @@ void large_wave(CaseRun& run, const SimpleWave& exact) {
       set.push_back(fmt::format("time.step={}", steady_step(run, set, exact)));
       const CaseScene scene =
           run.scene(fmt::format("{}-{}", formulation, spacing), "bar.toml", set);
-      errors.push_back(error_against(there, 0, first_reflection(exact), scene.history.time,
+      errors.push_back(error_against(there, 0, first_reflection(exact), scene.probes.computed.time,
                                      scene.probe("p3.pk1_xx")));
       table[0].push_back(static_cast<double>(number));
       table[1].push_back(spacing);
@@ -197,7 +199,7 @@ void small_wave(CaseRun& run) {
     const CaseScene linear = run.scene("linear-" + formulation, "bar.toml", linear_set);
     run.at_most("thesis, Fig. 5.4",
                 "stress at 0.10 m less the linear one, relative L2, " + formulation, 1e-5,
-                relative_error(linear.history.time, nonlinear.probe("p3.pk1_xx"),
+                relative_error(linear.probes.computed.time, nonlinear.probe("p3.pk1_xx"),
                                linear.probe("p3.pk1_xx")));
   }
 }

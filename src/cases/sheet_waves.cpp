@@ -22,7 +22,7 @@ constexpr double before_reflection = 32e-6;  // [s]
 
 /// Speed of the front between the probes at 0.05 and 0.10 m [m/s].
 double front_speed(const CaseScene& scene) {
-  const auto& time = scene.history.time;
+  const auto& time = scene.probes.computed.time;
   const auto samples =
       static_cast<std::size_t>(std::ranges::lower_bound(time, before_reflection) - time.begin());
   const auto at = [&](const char* column) {
@@ -33,7 +33,7 @@ double front_speed(const CaseScene& scene) {
 
 /// Transverse over axial stress at 0.05 m while the pulse is there.
 double stress_ratio(const CaseScene& scene) {
-  const auto& time = scene.history.time;
+  const auto& time = scene.probes.computed.time;
   return peak(time, scene.probe("p2.pk1_yy"), 0.0, before_reflection) /
          peak(time, scene.probe("p2.pk1_xx"), 0.0, before_reflection);
 }

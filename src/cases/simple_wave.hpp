@@ -2,9 +2,9 @@
 /// \file
 /// A wave that runs one way through a nonlinear bar at rest, exactly, until it breaks.
 
-#include "tlsph/analysis/history.hpp"
 #include "tlsph/curves/curve.hpp"
 #include "tlsph/materials/any_law.hpp"
+#include "tlsph/observe/history.hpp"
 
 namespace tlsph {
 

@@ -10,8 +10,8 @@
 #include "signals.hpp"
 #include "tlsph/analysis/motion_growth.hpp"
 #include "tlsph/analysis/spectrum.hpp"
-#include "tlsph/dynamics/state.hpp"
 #include "tlsph/model/builder.hpp"
+#include "tlsph/stepping/stepper.hpp"
 #include "validation_bar.hpp"
 #include "vibration.hpp"
 
@@ -55,16 +55,15 @@ double observed_growth(CaseRun& run, const Settings& set, double dt) {
   constexpr long most_steps = 2'000'000;
   const auto disc = build<1>(run.read("bar.toml", set));
   const VectorField<1> rest = VectorField<1>::Zero(disc.nodes(), 1);
-  State<1> state = make_state<1>(disc, rest, rest);
-  evaluate_unchecked<1>(disc, state);
-  start<1>(disc, state, dt);
+  Stepper<1> stepper(disc, rest, rest,
+                     {.step = dt, .balance_every = 0, .evaluate = evaluate_unchecked<1>});
+  const State<1>& state = stepper.state();
   long first = 0;
   long last = 0;
   double bottom = 0.0;
   double top = 0.0;
   while (top < to && state.step < most_steps) {
-    advance<1>(disc, state, dt, state.time + dt);
-    evaluate_unchecked<1>(disc, state);
+    stepper.step();
     const double now = state.u.cwiseAbs().maxCoeff();
     if (now <= top) continue;
     top = now;

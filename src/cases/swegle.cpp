@@ -10,8 +10,8 @@
 #include "tlsph/analysis/motion_growth.hpp"
 #include "tlsph/contrast/current_lattice.hpp"
 #include "tlsph/core/error.hpp"
-#include "tlsph/dynamics/state.hpp"
 #include "tlsph/model/builder.hpp"
+#include "tlsph/stepping/stepper.hpp"
 
 namespace tlsph {
 namespace {
@@ -107,15 +107,12 @@ void thin_layers(CaseRun& run) {
   run.absolute("this project", "scene with bare clamped edges, variational, is refused (1: yes)",
                1.0, refused, 0.0);
 
-  auto state =
-      make_state<2>(disc, strain * disc.particles.X, VectorField<2>::Zero(disc.nodes(), 2));
-  constexpr double dt = 3e-8;
+  Stepper<2> stepper(disc, strain * disc.particles.X, VectorField<2>::Zero(disc.nodes(), 2),
+                     {.step = 3e-8, .sweep = false, .balance_every = 0});
   double largest = 0.0;
   for (int step = 0; step < 1000; ++step) {
-    evaluate<2>(disc, state);
-    if (step == 0) start<2>(disc, state, dt);
-    advance<2>(disc, state, dt, state.time + dt);
-    largest = std::max(largest, 0.5 * disc.mass.dot(state.v.rowwise().squaredNorm()));
+    stepper.step();
+    largest = std::max(largest, 0.5 * disc.mass.dot(stepper.state().v.rowwise().squaredNorm()));
   }
   run.report("this project", "kinetic energy over the first that it would have had",
              largest / first_energy);

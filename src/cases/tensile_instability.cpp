@@ -64,7 +64,7 @@ Seven total_lagrangian(CaseRun& run, const std::string& formulation, bool stretc
   if (formulation == "variational") overrides.emplace_back("kernel.family=modified-mollifier");
   const CaseScene scene =
       run.scene(formulation + (stretched ? "-stretched" : "-free"), "bar.toml", overrides);
-  Seven seven{scene.history.time, {}};
+  Seven seven{scene.probes.computed.time, {}};
   constexpr std::array names = {"m3", "m2", "m1", "c", "p1", "p2", "p3"};
   for (std::size_t j = 0; j < names.size(); ++j) {
     const auto u = scene.probe(fmt::format("{}.displacement_x", names[j]));

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "tlsph/analysis/spectrum.hpp"
-#include "tlsph/dynamics/linearised.hpp"
 #include "tlsph/dynamics/state.hpp"
+#include "tlsph/stepping/linearised_forces.hpp"
 
 namespace tlsph {
 

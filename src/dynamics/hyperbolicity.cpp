@@ -1,5 +1,8 @@
 #include "tlsph/dynamics/hyperbolicity.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <Eigen/SVD>
 #include <type_traits>
 
@@ -36,6 +39,14 @@ void look_at(const Region<D>& region, const Law& law, const State<D>& state,
 }
 
 }  // namespace
+
+std::string HyperbolicityLoss::text() const {
+  return fmt::format(
+      "the material, not the method, lost stability at t = {:.6g} s: material point {} at ({:.6g}) "
+      "m has stretch {:.4g} and carries no waves any more (acoustic eigenvalue {:.3g} Pa); such a "
+      "body separates into phases that depend on the spacing",
+      time, point, fmt::join(position, ", "), fmt::join(stretches, " x "), acoustic_eigenvalue);
+}
 
 template <int D>
 std::optional<UnstablePoint<D>> most_unstable_point(const Discretisation<D>& disc,

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr char magic[8] = {'T', 'L', 'S', 'P', 'H', 'C', 'K', 'P'};
-constexpr std::uint64_t version = 3;
+constexpr std::uint64_t version = 4;
 
 class Writer {
  public:

@@ -23,29 +23,28 @@ struct Distance {
 }  // namespace
 
 template <int D>
-RelativeErrors errors_against(const ExactSolution<D>& exact, const Discretisation<D>& disc,
-                              const State<D>& state, double dt) {
+RelativeErrors errors_against(const ExactSolution<D>& exact, const Instant<D>& now) {
+  const Discretisation<D>& disc = now.body;
+  const double t = now.time();
   Distance displacement;
   Distance velocity;
   Distance stress;
   for (Index q = 0; q < disc.nodes(); ++q) {
     const Vector<D> X = disc.particles.X.row(q).transpose();
-    const Vector<D> u = state.u.row(q).transpose();
+    const Vector<D> u = now.u().row(q).transpose();
     Vector<D> v;
-    for (int i = 0; i < D; ++i) v[i] = motion_of<D>(disc, state, dt, q * D + i).velocity;
-    displacement.add(disc.particles.V[q], u, exact.displacement(X, state.time));
-    velocity.add(disc.particles.V[q], v, exact.velocity(X, state.time));
+    for (int i = 0; i < D; ++i) v[i] = now.motion(q * D + i).velocity;
+    displacement.add(disc.particles.V[q], u, exact.displacement(X, t));
+    velocity.add(disc.particles.V[q], v, exact.velocity(X, t));
   }
   for (Index s = 0; s < disc.points.size(); ++s) {
     const Vector<D> X = disc.points.X.row(s).transpose();
-    stress.add(disc.points.V[s], tensor_at<D>(state.P, s), exact.stress(X, state.time));
+    stress.add(disc.points.V[s], tensor_at<D>(now.P(), s), exact.stress(X, t));
   }
   return {displacement.relative(), velocity.relative(), stress.relative()};
 }
 
-template RelativeErrors errors_against<1>(const ExactSolution<1>&, const Discretisation<1>&,
-                                          const State<1>&, double);
-template RelativeErrors errors_against<2>(const ExactSolution<2>&, const Discretisation<2>&,
-                                          const State<2>&, double);
+template RelativeErrors errors_against<1>(const ExactSolution<1>&, const Instant<1>&);
+template RelativeErrors errors_against<2>(const ExactSolution<2>&, const Instant<2>&);
 
 }  // namespace tlsph

@@ -33,6 +33,8 @@ template <int D>
 Probes<D>::Probes(const Discretisation<D>& disc, const std::vector<ProbeRequest<D>>& requests) {
   for (const ProbeRequest<D>& request : requests) {
     Probe probe;
+    probe.name = request.name;
+    probe.at = request.at;
     try {
       probe.nodes = linear_interpolation<D>(disc.particles.X, request.at, disc.spacing);
       probe.points = linear_interpolation<D>(disc.points.X, request.at, disc.spacing);
@@ -56,29 +58,52 @@ Probes<D>::Probes(const Discretisation<D>& disc, const std::vector<ProbeRequest<
 }
 
 template <int D>
-void Probes<D>::sample(const Discretisation<D>& disc, const State<D>& state, double dt,
-                       std::span<double> row) const {
+void Probes<D>::sample(const Instant<D>& now, std::span<double> row) const {
   std::size_t out = 0;
   for (const Probe& probe : probes_) {
     Observed<D> seen;
     for (std::size_t k = 0; k < probe.nodes.node.size(); ++k)
       for (int i = 0; i < D; ++i) {
         const Index dof = probe.nodes.node[k] * D + i;
-        const NodalMotion motion = motion_of<D>(disc, state, dt, dof);
-        seen.u[i] += probe.nodes.weight[k] * state.u.data()[dof];
+        const NodalMotion motion = now.motion(dof);
+        seen.u[i] += probe.nodes.weight[k] * now.u().data()[dof];
         seen.v[i] += probe.nodes.weight[k] * motion.velocity;
         seen.a[i] += probe.nodes.weight[k] * motion.acceleration;
       }
     for (std::size_t k = 0; k < probe.points.node.size(); ++k) {
-      seen.H += probe.points.weight[k] * tensor_at<D>(state.H, probe.points.node[k]);
-      seen.P += probe.points.weight[k] * tensor_at<D>(state.P, probe.points.node[k]);
+      seen.H += probe.points.weight[k] * tensor_at<D>(now.H(), probe.points.node[k]);
+      seen.P += probe.points.weight[k] * tensor_at<D>(now.P(), probe.points.node[k]);
     }
-    seen.stress = measures_at<D>(disc.regions[probe.region], state, seen.H, seen.P, probe.nearest);
+    seen.stress =
+        measures_at<D>(now.body.regions[probe.region], now.state, seen.H, seen.P, probe.nearest);
     for (const Quantity<D>* quantity : probe.quantities)
       for_components<D>(quantity->rank, quantity->symmetric,
                         [&](int i, int j) { row[out++] = quantity->value(seen, i, j); });
   }
   assert(out == row.size());
+}
+
+template <int D>
+std::vector<std::string> Probes<D>::exact_columns() const {
+  std::vector<std::string> columns;
+  for (const Probe& probe : probes_)
+    for (const Quantity<D>* quantity : probe.quantities)
+      if (quantity->exact != nullptr)
+        for (const std::string& suffix : component_suffixes<D>(*quantity))
+          columns.push_back(fmt::format("{}.{}{}", probe.name, quantity->name, suffix));
+  return columns;
+}
+
+template <int D>
+void Probes<D>::sample_exact(const ExactSolution<D>& exact, double time,
+                             std::span<double> row) const {
+  std::size_t out = 0;
+  for (const Probe& probe : probes_)
+    for (const Quantity<D>* quantity : probe.quantities)
+      if (quantity->exact != nullptr)
+        for_components<D>(quantity->rank, quantity->symmetric, [&](int i, int j) {
+          row[out++] = quantity->exact(exact, probe.at, time, i, j);
+        });
 }
 
 template <int D>

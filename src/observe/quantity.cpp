@@ -36,12 +36,11 @@ std::vector<std::string> component_suffixes(const Quantity<D>& quantity) {
 }
 
 template <int D>
-Observed<D> observed_particle(const Discretisation<D>& disc, const State<D>& state, double dt,
-                              Index particle) {
+Observed<D> observed_particle(const Instant<D>& now, Index particle) {
   Observed<D> seen;
   for (int i = 0; i < D; ++i) {
-    const NodalMotion motion = motion_of<D>(disc, state, dt, particle * D + i);
-    seen.u[i] = state.u(particle, i);
+    const NodalMotion motion = now.motion(particle * D + i);
+    seen.u[i] = now.u()(particle, i);
     seen.v[i] = motion.velocity;
     seen.a[i] = motion.acceleration;
   }
@@ -49,11 +48,11 @@ Observed<D> observed_particle(const Discretisation<D>& disc, const State<D>& sta
 }
 
 template <int D>
-Observed<D> observed_point(const Discretisation<D>& disc, const State<D>& state, Index point) {
+Observed<D> observed_point(const Instant<D>& now, Index point) {
   Observed<D> seen;
-  seen.H = tensor_at<D>(state.H, point);
-  seen.P = tensor_at<D>(state.P, point);
-  seen.stress = stress_measures<D>(disc.regions[region_of<D>(disc, point)], seen.H, seen.P);
+  seen.H = tensor_at<D>(now.H(), point);
+  seen.P = tensor_at<D>(now.P(), point);
+  seen.stress = stress_measures<D>(now.body.regions[region_of<D>(now.body, point)], seen.H, seen.P);
   return seen;
 }
 
@@ -64,9 +63,9 @@ template const Quantity<2>& quantity_named<2>(std::string_view);
 template std::vector<std::string> component_suffixes<1>(const Quantity<1>&);
 template std::vector<std::string> component_suffixes<2>(const Quantity<2>&);
 
-template Observed<1> observed_particle<1>(const Discretisation<1>&, const State<1>&, double, Index);
-template Observed<2> observed_particle<2>(const Discretisation<2>&, const State<2>&, double, Index);
-template Observed<1> observed_point<1>(const Discretisation<1>&, const State<1>&, Index);
-template Observed<2> observed_point<2>(const Discretisation<2>&, const State<2>&, Index);
+template Observed<1> observed_particle<1>(const Instant<1>&, Index);
+template Observed<2> observed_particle<2>(const Instant<2>&, Index);
+template Observed<1> observed_point<1>(const Instant<1>&, Index);
+template Observed<2> observed_point<2>(const Instant<2>&, Index);
 
 }  // namespace tlsph

@@ -9,7 +9,6 @@
 #include "tlsph/core/dimensions.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/core/stop.hpp"
-#include "tlsph/dynamics/critical_step.hpp"
 #include "tlsph/dynamics/stabiliser_forces.hpp"
 #include "tlsph/io/files.hpp"
 #include "tlsph/io/json.hpp"
@@ -21,6 +20,7 @@
 #include "tlsph/scene/names.hpp"
 #include "tlsph/simulation/simulation.hpp"
 #include "tlsph/simulation/version.hpp"
+#include "tlsph/stepping/critical_step.hpp"
 
 namespace tlsph {
 namespace {

@@ -2,9 +2,9 @@
 /// \file
 /// What `plan` and `run` say and choose before the first step; not for other rooms.
 
-#include "tlsph/dynamics/critical_step.hpp"
 #include "tlsph/model/builder.hpp"
 #include "tlsph/simulation/summary.hpp"
+#include "tlsph/stepping/critical_step.hpp"
 
 namespace tlsph::parts {
 
@@ -27,6 +27,6 @@ template <int D>
 /// The step a run of the scene starts with [s]: time.step, or its share of the critical step at the
 /// start. InputError for a time.step beyond what is stable, unless the scene allows it, and for
 /// more steps than a run could make.
-[[nodiscard]] double chosen_step(const Scene& scene, const CriticalStep& critical);
+double checked_step(const Scene& scene, const CriticalStep& critical);
 
 }  // namespace tlsph::parts

@@ -8,13 +8,13 @@
 #include "parts.hpp"
 #include "savings.hpp"
 #include "tlsph/core/dimensions.hpp"
-#include "tlsph/dynamics/critical_step.hpp"
-#include "tlsph/dynamics/sweep.hpp"
 #include "tlsph/linear/factor_cost.hpp"
 #include "tlsph/model/builder.hpp"
 #include "tlsph/operators/consistency.hpp"
 #include "tlsph/scene/names.hpp"
 #include "tlsph/simulation/simulation.hpp"
+#include "tlsph/stepping/critical_step.hpp"
+#include "tlsph/sweep/sweep.hpp"
 
 namespace tlsph {
 namespace {
@@ -71,7 +71,7 @@ Steps steps_of(const Scene& scene, const Discretisation<D>& disc, State<D>& stat
   state = make_state<D>(disc, std::move(initial.displacement), std::move(initial.velocity));
   evaluate<D>(disc, state);
   const CriticalStep critical = critical_step<D>(disc, state);
-  const double dt = parts::chosen_step(scene, critical);
+  const double dt = parts::checked_step(scene, critical);
   Steps steps{"", critical.dt, std::ceil(scene.time.end / dt)};
   steps.text = fmt::format(
       "time step {:.4e} s (critical {:.4e} s = {:.3f} spacings/c_p), {:.0f} steps to "

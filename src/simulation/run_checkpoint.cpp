@@ -6,7 +6,7 @@
 
 #include "flat.hpp"
 #include "run_loop.hpp"
-#include "stopwatch.hpp"
+#include "tlsph/core/stopwatch.hpp"
 #include "tlsph/io/check_sum.hpp"
 
 namespace tlsph {
@@ -127,48 +127,16 @@ struct RestoredValues {
 
 template <int D>
 bool RunLoop<D>::checkpoint_due() const {
-  if (!output_ || state_.step == 0 || growing_ > 0) return false;
-  if (scene_.output.checkpoint_steps > 0) return state_.step % scene_.output.checkpoint_steps == 0;
-  return state_.step % 16 == 0 && Stopwatch::now() - last_checkpoint_ > scene_.output.checkpoint;
+  if (!output_ || state().step == 0 || stepper_->balance().growing()) return false;
+  if (scene_.output.checkpoint_steps > 0) return state().step % scene_.output.checkpoint_steps == 0;
+  return state().step % 16 == 0 && Stopwatch::now() - last_checkpoint_ > scene_.output.checkpoint;
 }
 
 template <int D>
 template <class Visit>
 void RunLoop<D>::visit(const Visit& visit) {
-  visit("u", state_.u);
-  visit("v", state_.v);
-  visit("step", state_.step);
-  visit("time", state_.time);
-  visit("last_dt", state_.last_dt);
-  visit("clock.start", clock_.start);
-  visit("clock.first", clock_.first);
-  visit("clock.count", clock_.count);
-  visit("clock.end", clock_.end);
-  visit("clock.dt", clock_.dt);
-  visit("critical.dt", critical_.dt);
-  visit("critical.scaled", critical_.scaled);
-  visit("ledger.external_work", ledger_.external_work);
-  visit("ledger.dissipated", ledger_.dissipated);
-  visit("ledger.impulse", ledger_.impulse);
-  visit("ledger.angular_impulse", ledger_.angular_impulse);
-  visit("first_energy", first_energy_);
-  visit("largest_energy", largest_energy_);
-  visit("drift", drift_);
-  visit("first_momentum", first_momentum_);
-  visit("first_angular", first_angular_);
-  visit("momentum_scale", momentum_scale_);
-  visit("angular_scale", angular_scale_);
-  visit("momentum_drift", momentum_drift_);
-  visit("angular_drift", angular_drift_);
-  visit("energy_scale", energy_scale_);
-  visit("speed", speed_);
-  visit("known_speed", known_speed_);
-  visit("hyperbolicity_lost", hyperbolicity_lost_);
-  visit("books_every", books_every_);
+  stepper_->visit(visit);
   visit("next_frame", next_frame_);
-  if (follower_)
-    follower_->visit(
-        [&](const std::string& name, auto& value) { visit("follower." + name, value); });
 }
 
 template <int D>
@@ -187,7 +155,7 @@ void RunLoop<D>::save_checkpoint() {
                         {"probes", static_cast<std::int64_t>(counts.probes.count)},
                         {"probes_sum", std::bit_cast<std::int64_t>(counts.probes.sum.value())},
                         {"exact_sum", std::bit_cast<std::int64_t>(counts.exact.sum.value())},
-                        {"particles", check_sum(disc_.particles)},
+                        {"particles", check_sum(body_.particles)},
                         {"threads", threads_}});
   view.texts = {{"scene", scene_.text}};
   write_checkpoint(options_.out / "checkpoint.h5", view);
@@ -196,7 +164,7 @@ void RunLoop<D>::save_checkpoint() {
 
 template <int D>
 void RunLoop<D>::resume_from(const Checkpoint& checkpoint) {
-  require_own(checkpoint, scene_, disc_.particles);
+  require_own(checkpoint, scene_, body_.particles);
   visit(RestoredValues{checkpoint});
   const auto count = [&](const char* name) {
     return static_cast<std::size_t>(checkpoint.integer(name));
@@ -207,7 +175,7 @@ void RunLoop<D>::resume_from(const Checkpoint& checkpoint) {
   const OutputCounts counts{{count("frames"), count("series"), sum("run_sum")},
                             {count("probes"), CheckSum(sum("probes_sum"))},
                             {count("probes"), CheckSum(sum("exact_sum"))}};
-  output_.emplace(options_.out, scene_, disc_, probes_, exact_, counts);
+  output_.emplace(options_.out, scene_, body_, recorded_, counts);
   last_checkpoint_ = Stopwatch::now();
 }
 

@@ -2,25 +2,22 @@
 
 #include <fmt/format.h>
 
-#include <omp.h>
-
 #include <algorithm>
-#include <cmath>
+#include <array>
 
 #include "in_scene.hpp"
 #include "parts.hpp"
-#include "stopwatch.hpp"
-#include "tlsph/core/parallel.hpp"
 #include "tlsph/core/stop.hpp"
+#include "tlsph/core/stopwatch.hpp"
 #include "tlsph/observe/errors.hpp"
 #include "tlsph/scene/names.hpp"
 
 namespace tlsph {
 namespace {
 
-/// Rows of the energy ledger a run has by default, and the steps between them at least: a look at
-/// all energies costs as much as some twenty steps.
-constexpr long default_book_rows = 200;
+/// Rows of energies a run has by default, and the steps between them at least: a sample of all
+/// energies costs as much as some twenty steps.
+constexpr long default_balance_rows = 200;
 constexpr long fewest_steps_between = 50;
 
 template <int D>
@@ -38,187 +35,225 @@ std::vector<ProbeRequest<D>> probe_requests(const Scene& scene) {
 }  // namespace
 
 template <int D>
-RunLoop<D>::RunLoop(const Scene& scene, const RunOptions& options, const Discretisation<D>& disc)
+RunLoop<D>::RunLoop(const Scene& scene, const RunOptions& options, const Discretisation<D>& body)
     : scene_(scene),
       options_(options),
-      disc_(disc),
-      exact_(build_exact<D>(scene, disc)),
-      probes_(disc, probe_requests<D>(scene)) {}
+      body_(body),
+      exact_(build_exact<D>(scene, body)),
+      probes_(body, probe_requests<D>(scene)),
+      recorded_{
+          History(probes_.columns()),
+          History(exact_.displacement ? probes_.exact_columns() : std::vector<std::string>())},
+      probe_row_(1 + recorded_.computed.names.size()),
+      exact_row_(1 + recorded_.exact.names.size()) {
+  if (options_.histories != nullptr) *options_.histories = recorded_;
+}
 
 template <int D>
-void RunLoop<D>::plan_sweep(Summary& summary) {
-  SweepOptions options;
-  options.threads = worth_threads(disc_.nodes()) ? omp_get_max_threads() : 1;
-  summary.threads = options.threads;
-  if (!Sweep<D>::possible(disc_)) {
-    if (worth_threads(disc_.points.size())) summary.threads = omp_get_max_threads();
-    return;
-  }
-  options.single_weights = scene_.precision == Precision::mixed;
-  sweep_.emplace(disc_, options);
-  summary.storage = sweep_->storage();
-  forces_ = sweep_->boundary_forces();
-  if (follower_) follower_->read_by(*sweep_);
-  if (!probes_.columns().empty()) excerpt_.emplace(disc_, probes_.nodes(), probes_.points());
+void RunLoop<D>::start(Summary& summary) {
+  InitialState<D> initial = build_initial<D>(scene_, body_);
+  for (std::string& warning : parts::start_jumps<D>(scene_, body_, initial))
+    summary.warnings.push_back(std::move(warning));
+  stepper_.emplace(body_, std::move(initial.displacement), std::move(initial.velocity),
+                   StepperOptions<D>{.end = scene_.time.end,
+                                     .safety = scene_.time.safety,
+                                     .step = scene_.time.step,
+                                     .single_weights = scene_.precision == Precision::mixed,
+                                     .energy_tolerance = scene_.time.energy_tolerance});
+  const CriticalStep& critical = stepper_->critical();
+  parts::checked_step(scene_, critical);
+  stop_point();
+  stepper_->start(options_.resume);
+  stepper_->set_balance_every(
+      scene_.output.energy_every > 0
+          ? scene_.output.energy_every
+          : std::max(fewest_steps_between, stepper_->steps() / default_balance_rows));
+  summary.dt = stepper_->dt();
+  summary.dt_critical = critical.dt;
+  summary.dt_critical_scaled = critical.scaled;
+  summary.growth_rate = critical.growth;
+  summary.threads = stepper_->threads();
+  if (stepper_->sweep() == nullptr) return;
+  summary.storage = stepper_->sweep()->storage();
+  if (!probes_.columns().empty()) probed_.emplace(body_, probes_.nodes(), probes_.points());
 }
 
 template <int D>
 void RunLoop<D>::run(Summary& summary) {
   const Stopwatch setup;
-  in_scene(scene_, [&] {
-    InitialState<D> initial = build_initial<D>(scene_, disc_);
-    for (std::string& warning : parts::start_jumps<D>(scene_, disc_, initial))
-      summary.warnings.push_back(std::move(warning));
-    state_ = make_state<D>(disc_, std::move(initial.displacement), std::move(initial.velocity));
-    evaluate<D>(disc_, state_);
-    choose_step(summary);
-    stop_point();
-    plan_sweep(summary);
-  });
-  books_every_ = scene_.output.energy_every > 0
-                     ? scene_.output.energy_every
-                     : std::max(fewest_steps_between, clock_.count / default_book_rows);
+  in_scene(scene_, [&] { start(summary); });
   may_end_at_once() = false;
   if (options_.resume) {
     resume_from(read_checkpoint(options_.out / "checkpoint.h5"));
   } else {
     if (!options_.out.empty())
-      output_.emplace(options_.out, scene_, disc_, probes_, exact_, std::nullopt);
-    start<D>(disc_, state_, clock_.dt);
-    speed_ = state_.v.cwiseAbs().maxCoeff();
+      output_.emplace(options_.out, scene_, body_, recorded_, std::nullopt);
     save_checkpoint();
   }
   summary.wall_setup += setup.seconds();
 
   const Stopwatch loop;
   const double output_before = output_seconds_;
-  const long first_step = state_.step;
-  const auto close_books = [&] {
-    summary.wall_output = output_seconds_;
-    summary.wall_stepping = loop.seconds() - (output_seconds_ - output_before);
+  const long first_step = state().step;
+  const auto close = [&] {
+    summary.wall_output = output_seconds_ + stepper_->observing_seconds();
+    summary.wall_stepping = loop.seconds() - (summary.wall_output - output_before);
     finish(summary);
-    const auto done = static_cast<double>(state_.step - first_step);
+    const auto done = static_cast<double>(state().step - first_step);
     if (done > 0)
       summary.ns_per_particle_step =
-          summary.wall_stepping * 1e9 / done / static_cast<double>(disc_.nodes());
+          summary.wall_stepping * 1e9 / done / static_cast<double>(body_.nodes());
   };
   try {
-    while (true) {
-      evaluate_for_observers();
-      follow_deformation();
-      if (evaluated_ && state_.step > 0) ledger_.arrive(disc_, state_, clock_.dt);
-      observe();
-      if (state_.step == clock_.last()) break;
-      step();
-      if (output_) output_->keep_probes();
-      // A checkpoint holds a step that is not booked yet: the loop, or a resumed one, does that
-      // next.
-      if (options_.stop_requested != nullptr && *options_.stop_requested) {
-        summary.interrupted = true;
-        save_checkpoint();
-        evaluate<D>(disc_, state_);
-        break;
-      }
-      if (checkpoint_due()) save_checkpoint();
-    }
+    make_steps(summary);
   } catch (const NumericalError& failure) {
     summary.failure = failure.what();
-    if (hyperbolicity_lost_) summary.failure += "; before that, " + hyperbolicity_lost_->text();
+    if (const auto& lost = stepper_->hyperbolicity_lost())
+      summary.failure += "; before that, " + lost->text();
     keep_last_good_state();
-    close_books();
+    close();
     throw NumericalError(summary.failure, failure.time(), failure.particle());
   }
   if (exact_.displacement && !summary.interrupted) {
     const Stopwatch watch;
-    const RelativeErrors errors = errors_against<D>(exact_, disc_, state_, clock_.dt);
+    const RelativeErrors errors = errors_against<D>(exact_, stepper_->instant());
     summary.errors = FieldErrors{errors.displacement, errors.velocity, errors.stress};
     output_seconds_ += watch.seconds();
   }
-  close_books();
+  close();
 }
 
-/// A sweep needs no evaluated state; observers do, all of it or the part that probes see. Without a
-/// sweep every step does.
 template <int D>
-void RunLoop<D>::evaluate_for_observers() {
-  if (!sweep_) speed_ = state_.v.cwiseAbs().maxCoeff();
-  evaluated_ = !sweep_ || books_due() || frame_due() || alarmed();
-  if (!sweep_) {
-    evaluate<D>(disc_, state_);
-  } else if (evaluated_ || probes_due()) {
-    const Stopwatch watch;
-    if (evaluated_)
-      sweep_->evaluate(state_);
-    else
-      excerpt_->evaluate(disc_, state_);
-    output_seconds_ += watch.seconds();
+void RunLoop<D>::make_steps(Summary& summary) {
+  while (true) {
+    stepper_->prepare(frame_due());
+    if (probed_ && probes_due()) stepper_->evaluate(*probed_);
+    observe();
+    if (stepper_->done()) return;
+    stepper_->step();
+    keep_probes();
+    // A checkpoint holds a state that is not observed yet: the loop, or a resumed one, does that
+    // next.
+    if (options_.stop_requested != nullptr && *options_.stop_requested) {
+      summary.interrupted = true;
+      save_checkpoint();
+      stepper_->evaluate();
+      return;
+    }
+    if (checkpoint_due()) save_checkpoint();
   }
-}
-
-template <int D>
-void RunLoop<D>::step() {
-  const double next = clock_.time(state_.step + 1);
-  if (!sweep_) {
-    ledger_.depart(disc_, state_, clock_.dt);
-    advance<D>(disc_, state_, clock_.dt, next);
-    return;
-  }
-  const double time = state_.time;
-  const double way = state_.last_dt;
-  const bool arrived = evaluated_ || state_.step == 0;
-  sweep_->step(state_, clock_.dt, next, *forces_);
-  speed_ = forces_->largest_speed;
-  if (follower_) follower_->travelled(clock_.dt * speed_);
-  ledger_.book(disc_, *forces_, state_, time, way, clock_.dt, arrived);
-}
-
-template <int D>
-bool RunLoop<D>::books_due() const {
-  return state_.step % books_every_ == 0 || state_.step == clock_.last();
 }
 
 template <int D>
 bool RunLoop<D>::probes_due() const {
-  return output_ && !probes_.columns().empty() &&
-         (state_.step % scene_.output.probe_every == 0 || state_.step == clock_.last());
+  return (output_ || options_.histories != nullptr) && !probes_.columns().empty() &&
+         (state().step % scene_.output.probe_every == 0 || stepper_->done());
+}
+
+/// Of the next frame [s].
+template <int D>
+double RunLoop<D>::frame_time() const {
+  return static_cast<double>(next_frame_) * scene_.time.end /
+         static_cast<double>(std::max(1, scene_.output.frames));
 }
 
 template <int D>
 bool RunLoop<D>::frame_due() const {
-  const long frames = scene_.output.frames;
-  if (!output_ || next_frame_ > frames || growing_ > 0) return false;
-  const double frame_time = static_cast<double>(next_frame_) * scene_.time.end /
-                            static_cast<double>(std::max(1L, frames));
-  return state_.step == clock_.last() || state_.time >= frame_time - 0.5 * clock_.dt;
+  if (!output_ || next_frame_ > scene_.output.frames || stepper_->balance().growing()) return false;
+  return stepper_->done() || state().time >= frame_time() - 0.5 * stepper_->dt();
 }
 
 template <int D>
 void RunLoop<D>::observe() {
-  const bool frame = evaluated_ && frame_due();  // a longer step may just have come near one
-  if (books_due() || frame || alarmed()) sample_books();
-  if (books_due()) watch_hyperbolicity();
-  report_progress();
-  if (!probes_due() && !frame) return;
+  // A longer step may just have come near a frame.
+  const bool frame = stepper_->evaluated() && frame_due();
+  const bool sampled = stepper_->sample_balance(frame);
   const Stopwatch watch;
-  if (probes_due()) output_->write_probes(disc_, state_, clock_.dt, evaluated_);
-  if (frame && growing_ == 0) {
-    output_->write_frame(disc_, state_, clock_.dt);
+  if (sampled && output_) write_series();
+  report_progress();
+  if (probes_due()) sample_probes();
+  if (frame && !stepper_->balance().growing()) {
+    output_->write_frame(stepper_->instant());
     while (next_frame_ <= scene_.output.frames &&
-           state_.time >= static_cast<double>(next_frame_) * scene_.time.end /
-                                  static_cast<double>(std::max(1, scene_.output.frames)) -
-                              0.5 * clock_.dt)
+           state().time >= frame_time() - 0.5 * stepper_->dt())
       ++next_frame_;
   }
   output_seconds_ += watch.seconds();
 }
 
+/// A row of the probes. Of a state that may turn out to be lost, as long as it is not evaluated
+/// everywhere, it is kept only when a step has gone on from it.
+template <int D>
+void RunLoop<D>::sample_probes() {
+  probe_row_[0] = exact_row_[0] = state().time;
+  probes_.sample(stepper_->instant(), std::span(probe_row_).subspan(1));
+  row_waits_ = true;
+  if (stepper_->evaluated()) keep_probes();
+}
+
+template <int D>
+void RunLoop<D>::keep_probes() {
+  if (!row_waits_) return;
+  row_waits_ = false;
+  const std::span<const double> row(probe_row_), exact_row(exact_row_);
+  if (!recorded_.exact.names.empty())
+    probes_.sample_exact(exact_, row[0], std::span(exact_row_).subspan(1));
+  if (output_) output_->write_probes(row, exact_row);
+  if (options_.histories == nullptr) return;
+  options_.histories->computed.add(row[0], row.subspan(1));
+  if (!recorded_.exact.names.empty()) options_.histories->exact.add(row[0], exact_row.subspan(1));
+}
+
+template <int D>
+void RunLoop<D>::write_series() {
+  const Balance<D>& now = stepper_->balance().last();
+  const WorkAndImpulse<D>& work = stepper_->work();
+  std::array<double, 6 + D> row{now.kinetic, now.elastic, work.external_work + now.gravity,
+                                work.dissipated};
+  for (std::size_t i = 0; i < D; ++i) row[4 + i] = now.linear_momentum[static_cast<Index>(i)];
+  row[4 + D] = now.angular_momentum;
+  row[5 + D] = stepper_->dt();
+  output_->write_series(state().time, row);
+}
+
 template <int D>
 void RunLoop<D>::report_progress() {
-  if (!options_.progress || state_.step % 16 != 0) return;
+  if (!options_.progress || state().step % 16 != 0) return;
   const double now = Stopwatch::now();
-  if (now - last_progress_ < 0.1 && state_.step != clock_.last()) return;
+  if (now - last_progress_ < 0.1 && !stepper_->done()) return;
   last_progress_ = now;
-  options_.progress({state_.time, scene_.time.end, state_.step, clock_.last()});
+  options_.progress({state().time, scene_.time.end, state().step, stepper_->steps()});
+}
+
+/// Frames of the lost state itself do not exist, for `evaluate` throws first.
+template <int D>
+void RunLoop<D>::keep_last_good_state() {
+  if (!output_) return;
+  try {
+    if (stepper_->restore_last_good() && !output_->has_frame(state().time, 0.5 * state().last_dt))
+      output_->write_frame(stepper_->instant());
+  } catch (const NumericalError&) {
+    // Lost for more than a step without notice; the frames before stand.
+  }
+}
+
+template <int D>
+void RunLoop<D>::finish(Summary& summary) {
+  const Balance<D> now = balance<D>(stepper_->instant());
+  if (output_) {
+    const Stopwatch watch;
+    output_->flush();
+    summary.wall_output += watch.seconds();
+  }
+  const WorkAndImpulse<D>& work = stepper_->work();
+  const BalanceMonitor<D>& monitor = stepper_->balance();
+  summary.hyperbolicity_lost = stepper_->hyperbolicity_lost();
+  summary.steps = state().step;
+  summary.end_time = state().time;
+  summary.energy = {now.kinetic, now.elastic, work.external_work + now.gravity, work.dissipated,
+                    monitor.energy_drift()};
+  summary.linear_momentum_drift = monitor.linear_momentum_drift();
+  summary.angular_momentum_drift = monitor.angular_momentum_drift();
 }
 
 template class RunLoop<1>;

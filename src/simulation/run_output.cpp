@@ -75,14 +75,9 @@ std::vector<SeriesQuantity> series_layout() {
 
 template <int D>
 RunOutput<D>::RunOutput(const std::filesystem::path& directory, const Scene& scene,
-                        const Discretisation<D>& disc, const Probes<D>& probes,
-                        const ExactSolution<D>& exact, const std::optional<OutputCounts>& resumed)
-    : directory_(directory),
-      layout_(layout_of<D>(scene, disc)),
-      lock_(prepared(directory)),
-      probes_(&probes),
-      exact_(&exact),
-      requests_(scene.probes) {
+                        const Discretisation<D>& disc, const ProbeHistories& probes,
+                        const std::optional<OutputCounts>& resumed)
+    : directory_(directory), layout_(layout_of<D>(scene, disc)), lock_(prepared(directory)) {
   std::vector<std::int64_t> tags(static_cast<std::size_t>(disc.nodes()), 0);
   RunStart start;
   start.scene_file = scene.file;
@@ -102,51 +97,42 @@ RunOutput<D>::RunOutput(const std::filesystem::path& directory, const Scene& sce
     for (const int node : disc.particles.patches[bit].nodes)
       tags[static_cast<std::size_t>(node)] |= std::int64_t{1} << bit;
   }
-  std::vector<std::string> columns = {"time"};
-  columns.insert(columns.end(), probes.columns().begin(), probes.columns().end());
-  probe_row_.resize(columns.size());
-  exact_row_.resize(columns.size());
-  std::vector<std::string> known;  // of probes_exact.csv; empty: there is none
-  if (exact.displacement && !scene.probes.empty()) {
-    known = {"time"};
-    for (const ProbeScene& probe : scene.probes)
-      for (const std::string& name : probe.record) {
-        const Quantity<D>& quantity = quantity_named<D>(name);
-        if (quantity.exact == nullptr) continue;
-        for (const std::string& suffix : component_suffixes<D>(quantity))
-          known.push_back(probe.name + '.' + name + suffix);
-      }
-  }
+  const auto with_time = [](const std::vector<std::string>& names) {
+    std::vector<std::string> columns = {"time"};
+    columns.insert(columns.end(), names.begin(), names.end());
+    return columns;
+  };
+  const std::vector<std::string> columns = with_time(probes.computed.names);
+  const std::vector<std::string> known = with_time(probes.exact.names);
+  const bool has_exact = !probes.exact.names.empty();
   const auto run_path = directory / "run.h5";
   const auto probes_path = directory / "probes.csv";
   const auto exact_path = directory / "probes_exact.csv";
   if (!resumed) {
     run_file_.emplace(RunFile::create(run_path, layout_, start));
     probe_file_.emplace(probes_path, columns);
-    if (!known.empty()) exact_file_.emplace(exact_path, known);
+    if (has_exact) exact_file_.emplace(exact_path, known);
     return;
   }
   CsvWriter::check(probes_path, columns, resumed->probes);
-  if (!known.empty()) CsvWriter::check(exact_path, known, resumed->exact);
+  if (has_exact) CsvWriter::check(exact_path, known, resumed->exact);
   run_file_.emplace(RunFile::resume(run_path, layout_, start, resumed->run));
   probe_file_.emplace(CsvWriter::resume(probes_path, columns, resumed->probes));
-  if (!known.empty()) exact_file_.emplace(CsvWriter::resume(exact_path, known, resumed->exact));
+  if (has_exact) exact_file_.emplace(CsvWriter::resume(exact_path, known, resumed->exact));
 }
 
 template <int D>
-std::span<const double> RunOutput<D>::field(const std::string& name, const Discretisation<D>& disc,
-                                            const State<D>& state, double dt) {
-  if (name == "displacement") return flat(state.u);  // as they are, without a copy
-  if (name == "pk1") return flat(state.P);
+std::span<const double> RunOutput<D>::field(const std::string& name, const Instant<D>& now) {
+  if (name == "displacement") return flat(now.u());  // as they are, without a copy
+  if (name == "pk1") return flat(now.P());
   const Quantity<D>& quantity = quantity_named<D>(name);
   const bool moves = quantity.site == Site::particles;
-  const Index rows = moves ? disc.nodes() : disc.points.size();
+  const Index rows = moves ? now.body.nodes() : now.body.points.size();
   std::vector<double>& out = scratch_[name];
   out.clear();
   out.reserve(static_cast<std::size_t>(rows) * component_count(quantity.rank, D));
   for (Index row = 0; row < rows; ++row) {
-    const Observed<D> seen =
-        moves ? observed_particle<D>(disc, state, dt, row) : observed_point<D>(disc, state, row);
+    const Observed<D> seen = moves ? observed_particle<D>(now, row) : observed_point<D>(now, row);
     for_components<D>(quantity.rank, false,
                       [&](int i, int j) { out.push_back(quantity.value(seen, i, j)); });
   }
@@ -154,11 +140,10 @@ std::span<const double> RunOutput<D>::field(const std::string& name, const Discr
 }
 
 template <int D>
-void RunOutput<D>::write_frame(const Discretisation<D>& disc, const State<D>& state, double dt) {
+void RunOutput<D>::write_frame(const Instant<D>& now) {
   std::vector<std::span<const double>> fields;
-  for (const FrameField& entry : layout_.fields)
-    fields.push_back(field(entry.name, disc, state, dt));
-  run_file_->write_frame(state.time, fields);
+  for (const FrameField& entry : layout_.fields) fields.push_back(field(entry.name, now));
+  run_file_->write_frame(now.time(), fields);
   scratch_.clear();  // rather than keep a field that is wanted once in many steps
   const std::filesystem::path document = directory_ / "run.xdmf";
   if (const std::size_t frames = run_file_->frame_times().size(); frames > views_) {
@@ -166,40 +151,6 @@ void RunOutput<D>::write_frame(const Discretisation<D>& disc, const State<D>& st
     write_views(view_file_of(document), layout_, views_);
   }
   write_xdmf(document, layout_, run_file_->frame_times());
-}
-
-template <int D>
-void RunOutput<D>::write_probes(const Discretisation<D>& disc, const State<D>& state, double dt,
-                                bool evaluated) {
-  probe_row_[0] = state.time;
-  probes_->sample(disc, state, dt, std::span(probe_row_).subspan(1));
-  row_waits_ = true;
-  if (evaluated) keep_probes();
-}
-
-template <int D>
-void RunOutput<D>::keep_probes() {
-  if (!row_waits_) return;
-  row_waits_ = false;
-  probe_file_->row(probe_row_);
-  if (exact_file_) write_exact(probe_row_[0]);
-}
-
-template <int D>
-void RunOutput<D>::write_exact(double time) {
-  std::size_t out = 0;
-  exact_row_[out++] = time;
-  for (const ProbeScene& probe : requests_) {
-    const Vector<D> X = Eigen::Map<const Vector<D>>(probe.at.data());
-    for (const std::string& name : probe.record) {
-      const Quantity<D>& quantity = quantity_named<D>(name);
-      if (quantity.exact == nullptr) continue;
-      for_components<D>(quantity.rank, quantity.symmetric, [&](int i, int j) {
-        exact_row_[out++] = quantity.exact(*exact_, X, time, i, j);
-      });
-    }
-  }
-  exact_file_->row(std::span<const double>(exact_row_).first(out));
 }
 
 template <int D>

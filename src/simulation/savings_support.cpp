@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
 #include "savings.hpp"
-#include "tlsph/dynamics/critical_step.hpp"
 #include "tlsph/model/builder.hpp"
 #include "tlsph/scene/edit.hpp"
 #include "tlsph/scene/names.hpp"
 #include "tlsph/scene/reader.hpp"
+#include "tlsph/stepping/critical_step.hpp"
 
 namespace tlsph::savings {
 namespace {

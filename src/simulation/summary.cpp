@@ -9,15 +9,6 @@
 
 namespace tlsph {
 
-std::string HyperbolicityLoss::text() const {
-  return fmt::format(
-      "the material, not the method, lost stability at t = {:.6g} s: material point {} at ({:.6g}) "
-      "m "
-      "has stretch {:.4g} and carries no waves any more (acoustic eigenvalue {:.3g} Pa); such a "
-      "body separates into phases that depend on the spacing",
-      time, point, fmt::join(position, ", "), fmt::join(stretches, " x "), acoustic_eigenvalue);
-}
-
 std::string LoadedPatch::text() const {
   const std::string extent =
       resultant.size() == 1 ? "" : fmt::format("{:.6g} m of the boundary, ", length);

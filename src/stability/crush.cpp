@@ -4,29 +4,21 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
-#include <optional>
 #include <string_view>
 #include <utility>
 
 #include "tlsph/core/dimensions.hpp"
 #include "tlsph/core/error.hpp"
-#include "tlsph/dynamics/step_follower.hpp"
 #include "tlsph/materials/kinematics.hpp"
 #include "tlsph/model/builder.hpp"
+#include "tlsph/stepping/stepper.hpp"
 
 namespace tlsph {
 namespace {
 
 constexpr double stretch = 0.2;
 constexpr long compare_every = 3;  ///< steps between comparisons with the true limit
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point begin) {
-  return std::chrono::duration<double>(Clock::now() - begin).count();
-}
 
 /// The right edge moves in at `speed` [m/s], from one instant to the next.
 Scene crushing(const Subject& subject, const Method& method, double speed) {
@@ -67,47 +59,32 @@ void crush(const Subject& subject, const Method& method, Motion motion, double s
   if (motion == Motion::pressed)
     v.col(0) = -speed * c / (subject.upper[0] - subject.lower[0]) *
                (disc.particles.X.col(0).array() - subject.lower[0]);
-  State<D> state = make_state<D>(disc, VectorField<D>::Zero(disc.nodes(), D), v);
-  evaluate<D>(disc, state);
-  StepFollower<D> follower(disc, state, row.safety);
-  std::optional<Sweep<D>> sweep;  // as runs do
-  if (Sweep<D>::possible(disc)) {
-    sweep.emplace(disc);
-    follower.read_by(*sweep);
-  }
-  BoundaryForces<D> forces(disc);
-  double dt = follower.step();
+  Stepper<D> stepper(disc, VectorField<D>::Zero(disc.nodes(), D), v,
+                     {.safety = row.safety,
+                      .adaptive = follow == Follow::follower,
+                      .rehearse = false,
+                      .threads = 1,
+                      .balance_every = 0});
+  const State<D>& state = stepper.state();
   double stepping = 0.0;
-  double following = 0.0;
   row.closest = 0.0;
   row.smallest = 1.0;
-  start<D>(disc, state, dt);
   try {
     while (state.time < scene.time.end) {
-      auto begin = Clock::now();
-      if (!sweep) evaluate<D>(disc, state);
-      stepping += seconds_since(begin);
-      if (follow == Follow::follower) {
-        begin = Clock::now();
-        if (follower.follow(state)) dt = follower.step();
-        following += seconds_since(begin);
-      }
+      Stopwatch watch;
+      stepper.prepare();
+      stepping += watch.seconds();
       if (compare && state.step % compare_every == 0) {
-        if (sweep) evaluate<D>(disc, state);
+        stepper.evaluate();
         if (const auto limit = critical_step_if_any<D>(disc, state))
-          row.closest = std::max(row.closest, dt / limit->dt);
+          row.closest = std::max(row.closest, stepper.dt() / limit->dt);
         row.smallest = std::min(row.smallest, smallest_volume<D>(state));
       }
-      begin = Clock::now();
-      if (sweep) {
-        sweep->step(state, dt, state.time + dt, forces);
-        follower.travelled(dt * forces.largest_speed);
-      } else {
-        advance<D>(disc, state, dt, state.time + dt);
-      }
-      stepping += seconds_since(begin);
+      watch = {};
+      stepper.step();
+      stepping += watch.seconds();
     }
-    evaluate<D>(disc, state);
+    stepper.evaluate();
   } catch (const NumericalError& failure) {
     row.failure = failure.what();
   }
@@ -115,10 +92,13 @@ void crush(const Subject& subject, const Method& method, Motion motion, double s
   row.smallest = std::min(row.smallest, smallest_volume<D>(state));
   if (!compare) row.closest = not_known;
   row.steps = state.step;
-  row.estimates = follower.estimates();
-  row.bounds = follower.bounds();
-  row.looks = follower.looks();
-  row.share = following / (stepping + following);
+  row.estimates = 1;
+  if (const AdaptiveStep<D>* adaptive = stepper.adaptive()) {
+    row.estimates = adaptive->estimates();
+    row.bounds = adaptive->bounds();
+    row.looks = adaptive->checks();
+    row.share = adaptive->seconds() / stepping;
+  }
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 #include "tlsph/analysis/motion_growth.hpp"
 #include "tlsph/analysis/spectrum.hpp"
 #include "tlsph/core/error.hpp"
-#include "tlsph/dynamics/ledger.hpp"
-#include "tlsph/dynamics/linearised.hpp"
+#include "tlsph/stepping/linearised_forces.hpp"
+#include "tlsph/stepping/stepper.hpp"
 
 namespace tlsph {
 namespace {
@@ -41,39 +41,30 @@ double norm(const Discretisation<D>& disc, const VectorField<D>& x) {
   return std::sqrt(disc.mass.dot(x.rowwise().squaredNorm()));
 }
 
-/// A run about the uniform state, its forces balanced.
+/// Steps from u and v about the uniform state, whose forces are balanced.
 template <int D>
-class Balanced {
- public:
-  Balanced(const Specimen<D>& specimen, double dt)
-      : disc_(specimen.disc),
-        base_(specimen.state),
-        state_(make_state<D>(disc_, base_.u, base_.v)),
-        dt_(dt) {
-    state_.last_dt = dt;
-  }
-  State<D>& state() { return state_; }
-  /// Forces at the present state; NumericalError when it is lost.
-  void forces() {
-    evaluate<D>(disc_, state_);
-    state_.f -= base_.f;
-  }
-  void start() { tlsph::start<D>(disc_, state_, dt_); }
-  void advance() { tlsph::advance<D>(disc_, state_, dt_, state_.time + dt_); }
-  /// Kinetic and elastic energy, the dead loads' potential included; after `forces`.
-  [[nodiscard]] double energy() const {
-    const VectorField<D> next = state_.v + dt_ * disc_.inverse_mass.cwiseProduct(state_.f);
-    const double kinetic = 0.5 * disc_.mass.dot(state_.v.cwiseProduct(next).rowwise().sum());
-    return kinetic + elastic_energy<D>(disc_, state_) +
-           base_.f.cwiseProduct(state_.u - base_.u).sum();
-  }
+Stepper<D> balanced(const Specimen<D>& specimen, const VectorField<D>& u, const VectorField<D>& v,
+                    double dt) {
+  return {specimen.disc,
+          u,
+          v,
+          {.step = dt,
+           .balance_every = 0,
+           .evaluate = [&f = specimen.state.f](const Discretisation<D>& disc, State<D>& state) {
+             evaluate<D>(disc, state);
+             state.f -= f;
+           }}};
+}
 
- private:
-  const Discretisation<D>& disc_;
-  const State<D>& base_;
-  State<D> state_;
-  double dt_;
-};
+/// Kinetic and elastic energy, the dead loads' potential included, of an evaluated state.
+template <int D>
+double energy_of(const Specimen<D>& specimen, const State<D>& state, double dt) {
+  const Discretisation<D>& disc = specimen.disc;
+  const VectorField<D> next = state.v + dt * disc.inverse_mass.cwiseProduct(state.f);
+  const double kinetic = 0.5 * disc.mass.dot(state.v.cwiseProduct(next).rowwise().sum());
+  return kinetic + elastic_energy<D>(disc, state) +
+         specimen.state.f.cwiseProduct(state.u - specimen.state.u).sum();
+}
 
 long steps_to_see(double growth) {
   if (!(growth > 0.0) || growth * static_cast<double>(most_steps) < 15.0) return usual_steps;
@@ -128,25 +119,22 @@ PerturbedRun perturbed_run(const Specimen<D>& specimen, const StateSpectrum& spe
   run.label = label;
   run.ratio = dt / spectrum.critical();
   if (disc.viscosity.nonZeros() == 0) run.expected = growth_per_step(spectrum.squares, dt);
-  Balanced<D> body(specimen, dt);
   const VectorField<D> push = displacement * disc.spacing * random_field<D>(disc);
-  body.state().u += push;
   // √(2E₀) of the perturbation if all of it were in the fastest mode.
   const double unit = 2.0 / spectrum.limit * norm<D>(disc, push);
   const double growth = dt > spectrum.limit ? std::max(run.expected, 0.02) : run.expected;
   const long last = steps_to_see(growth);
   std::vector<double> amplitude;
   try {
+    Stepper<D> body = balanced<D>(specimen, specimen.state.u + push, specimen.state.v, dt);
     for (run.steps = 0; run.steps < last; ++run.steps) {
-      body.forces();
-      if (run.steps == 0) body.start();
-      body.advance();
+      body.step();
       amplitude.push_back(norm<D>(disc, body.state().v) / unit);
       if (!(amplitude.back() < overflow)) break;
     }
-    body.forces();
+    body.evaluate();
   } catch (const NumericalError&) {
-    run.lost_at = body.state().step;
+    run.lost_at = static_cast<long>(amplitude.size());
   }
   if (!amplitude.empty()) run.amplitude = *std::ranges::max_element(amplitude);
   run.seen = growth_of(amplitude);
@@ -156,21 +144,20 @@ PerturbedRun perturbed_run(const Specimen<D>& specimen, const StateSpectrum& spe
 template <int D>
 double energy_drift(const Specimen<D>& specimen, double dt) {
   const Discretisation<D>& disc = specimen.disc;
-  Balanced<D> body(specimen, dt);
-  body.state().v = velocity * disc.wave_speed() * random_field<D>(disc);
-  const double first = 0.5 * std::pow(norm<D>(disc, body.state().v), 2);
+  const VectorField<D> v = velocity * disc.wave_speed() * random_field<D>(disc);
+  Stepper<D> body = balanced<D>(specimen, specimen.state.u, v, dt);
+  const double first = 0.5 * std::pow(norm<D>(disc, v), 2);
   const bool damped = disc.viscosity.nonZeros() > 0;
   double start = 0.0;
   double drift = 0.0;
   for (long step = 0; step <= book_steps; ++step) {
-    body.forces();
-    if (step == 0) body.start();
     if (step % 10 == 0) {
-      const double energy = body.energy();
+      body.evaluate();
+      const double energy = energy_of<D>(specimen, body.state(), dt);
       if (step == 0) start = energy;
       drift = std::max(drift, damped ? energy - start : std::abs(energy - start));
     }
-    body.advance();
+    body.step();
   }
   return drift / first;
 }
@@ -178,14 +165,13 @@ double energy_drift(const Specimen<D>& specimen, double dt) {
 template <int D>
 double unrest(const Specimen<D>& specimen, double dt) {
   const Discretisation<D>& disc = specimen.disc;
-  State<D> state = make_state<D>(disc, specimen.state.u, specimen.state.v);
   double largest = 0.0;
   try {
+    Stepper<D> body(disc, specimen.state.u, specimen.state.v,
+                    {.step = dt, .sweep = false, .balance_every = 0});
     for (long step = 0; step < rest_steps; ++step) {
-      evaluate<D>(disc, state);
-      if (step == 0) tlsph::start<D>(disc, state, dt);
-      tlsph::advance<D>(disc, state, dt, state.time + dt);
-      largest = std::max(largest, state.v.rowwise().norm().maxCoeff());
+      body.step();
+      largest = std::max(largest, body.state().v.rowwise().norm().maxCoeff());
     }
   } catch (const NumericalError&) {
     return std::numeric_limits<double>::infinity();
@@ -215,16 +201,14 @@ VectorField<D> lowest_motion(const Specimen<D>& specimen) {
 template <int D>
 double free_excursion(const Specimen<D>& specimen, double dt, double omega) {
   const Discretisation<D>& disc = specimen.disc;
-  Balanced<D> body(specimen, dt);
-  body.state().v =
+  const VectorField<D> v =
       displacement * disc.wave_speed() * std::sqrt(disc.mass.sum()) * lowest_motion<D>(specimen);
-  const double unit = norm<D>(disc, body.state().v) / omega;
+  Stepper<D> body = balanced<D>(specimen, specimen.state.u, v, dt);
+  const double unit = norm<D>(disc, v) / omega;
   const auto last = static_cast<long>(std::ceil(4.0 * std::numbers::pi / (omega * dt)));
   double largest = 0.0;
   for (long step = 0; step < last; ++step) {
-    body.forces();
-    if (step == 0) body.start();
-    body.advance();
+    body.step();
     largest = std::max(largest, norm<D>(disc, body.state().u - specimen.state.u) / unit);
   }
   return largest;

@@ -5,8 +5,8 @@
 
 #include "tlsph/analysis/motion_growth.hpp"
 #include "tlsph/analysis/spectrum.hpp"
-#include "tlsph/dynamics/critical_step.hpp"
-#include "tlsph/dynamics/linearised.hpp"
+#include "tlsph/stepping/critical_step.hpp"
+#include "tlsph/stepping/linearised_forces.hpp"
 
 namespace tlsph {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tlsph/dynamics/linearised.hpp"
 #include "tlsph/model/builder.hpp"
+#include "tlsph/stepping/linearised_forces.hpp"
 
 namespace tlsph {
 namespace {

@@ -12,11 +12,11 @@
 
 #include "tlsph/core/cpu_clock.hpp"
 #include "tlsph/core/dimensions.hpp"
-#include "tlsph/dynamics/critical_step.hpp"
-#include "tlsph/dynamics/sweep.hpp"
 #include "tlsph/model/builder.hpp"
 #include "tlsph/scene/reader.hpp"
+#include "tlsph/stepping/critical_step.hpp"
 #include "tlsph/studies/plain_step.hpp"
+#include "tlsph/sweep/sweep.hpp"
 
 namespace tlsph {
 namespace {

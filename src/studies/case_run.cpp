@@ -28,6 +28,7 @@ bool Check::holds() const {
 }
 
 std::span<const double> CaseScene::probe(std::string_view name) const {
+  const History& history = probes.computed;
   const auto found = std::ranges::find(history.names, name);
   if (found == history.names.end())
     throw InputError({(directory / "probes.csv").string(), 0, 0, ""},
@@ -52,13 +53,13 @@ CaseScene CaseRun::scene(const std::string& label, const std::string& file,
   RunOptions options;
   options.out = result.directory;
   options.threads = 1;
+  options.histories = &result.probes;
   try {
     result.summary = tlsph::run(described, options);
   } catch (const NumericalError& error) {
     result.failed_at = error.time();
     result.failure = error.what();
   }
-  if (!described.probes.empty()) result.history = read_history(result.directory / "probes.csv");
   return result;
 }
 

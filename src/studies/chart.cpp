@@ -226,26 +226,27 @@ class ChartStudy {
       show(fmt::format("{} at {:.4g} m", point.family, point.spacing));
       if (stopped() || spent() > until) stop = true;
     };
-    if (!plan_.values.empty()) run_options.out = options_.out / "run";
+    ProbeHistories histories;
+    if (!plan_.values.empty()) run_options.histories = &histories;
     const Summary summary = tlsph::run(read_scene(request_.scene, overrides), run_options);
     if (summary.interrupted) return false;
     if (point.seconds.empty()) {
       point.particles = summary.particles;
       point.steps = summary.steps;
       point.setup_seconds = summary.wall_setup;
-      point.errors = errors_of(summary, run_options.out);
+      point.errors = errors_of(summary, histories.computed);
     }
     point.seconds.push_back(summary.wall_stepping);
     return true;
   }
 
   [[nodiscard]] std::vector<double> errors_of(const Summary& summary,
-                                              const std::filesystem::path& folder) const {
+                                              const History& history) const {
     std::vector<double> errors;
     if (summary.errors)
       errors = {summary.errors->displacement, summary.errors->velocity, summary.errors->stress};
     if (plan_.values.empty()) return errors;
-    for (const double value : read_values(plan_.values, read_history(folder / "probes.csv")))
+    for (const double value : read_values(plan_.values, history))
       errors.push_back(std::abs(value / table_.answers[errors.size()] - 1.0));
     return errors;
   }

@@ -92,6 +92,8 @@ class Study {
     run_options.progress = options_.progress;
     run_options.stop_requested = options_.stop_requested;
     if (keeps_probes_) run_options.out = options_.out / planned.folder;
+    ProbeHistories histories;
+    if (keeps_probes_) run_options.histories = &histories;
     std::optional<History> history;
     try {
       const Summary summary = tlsph::run(planned.scene, run_options);
@@ -102,7 +104,7 @@ class Study {
       if (summary.errors)
         row.errors = {summary.errors->displacement, summary.errors->velocity,
                       summary.errors->stress};
-      if (keeps_probes_) history = read_history(run_options.out / "probes.csv");
+      if (keeps_probes_) history = std::move(histories.computed);
     } catch (const NumericalError& failure) {
       row.failure = failure.what();
     }

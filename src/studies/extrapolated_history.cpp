@@ -1,6 +1,7 @@
 #include "extrapolated_history.hpp"
 
 #include "probe_differences.hpp"
+#include "tlsph/analysis/history.hpp"
 #include "tlsph/analysis/order.hpp"
 #include "tlsph/io/csv.hpp"
 

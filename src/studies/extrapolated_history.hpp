@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tlsph/analysis/history.hpp"
+#include "tlsph/observe/history.hpp"
 
 namespace tlsph {
 

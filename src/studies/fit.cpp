@@ -91,7 +91,6 @@ class FitStudy {
 
   std::optional<Pilot> measure(const Scene& scene, const std::string& what) const {
     PilotOptions pilot_options;
-    pilot_options.folder = options_.out / "run";
     pilot_options.threads = options_.threads;
     pilot_options.progress = [&] { show(what); };
     pilot_options.stop_requested = options_.stop_requested;

@@ -5,7 +5,6 @@
 
 #include "fit_plan.hpp"
 #include "probe_values.hpp"
-#include "tlsph/analysis/history.hpp"
 #include "tlsph/model/builder.hpp"
 
 namespace tlsph {
@@ -20,11 +19,8 @@ constexpr double zero = 1e-16;
 constexpr double usable = 0.8;
 
 double error_of(const FitRequest& request, const Summary& summary, double answer,
-                const std::filesystem::path& folder) {
-  if (request.value) {
-    const History history = read_history(folder / "probes.csv");
-    return read_values({request.value->name}, history).front() / answer - 1.0;
-  }
+                const History& history) {
+  if (request.value) return read_values({request.value->name}, history).front() / answer - 1.0;
   const FieldErrors& errors = summary.errors.value();
   if (request.quantity == "displacement") return errors.displacement;
   if (request.quantity == "velocity") return errors.velocity;
@@ -44,11 +40,12 @@ std::optional<Pilot> run_pilot(const FitRequest& request, double answer, const S
     run_options.progress = [&](const Progress&) {
       if (options.progress) options.progress();
     };
-    if (request.value) run_options.out = options.folder;
+    ProbeHistories histories;
+    if (request.value) run_options.histories = &histories;
     const Summary summary = run(scene, run_options);
     if (summary.interrupted) return std::nullopt;
     if (k == 0) {
-      const double error = error_of(request, summary, answer, options.folder);
+      const double error = error_of(request, summary, answer, histories.computed);
       pilot = {summary.spacing,   summary.wall_setup, summary.wall_stepping,      0.0,
                summary.particles, summary.steps,      error == 0.0 ? zero : error};
     }

@@ -11,7 +11,6 @@
 namespace tlsph {
 
 struct PilotOptions {
-  std::filesystem::path folder;  ///< for the probes, where a value is read off them
   int threads = 1;
   std::function<void()> progress;
   const std::atomic<bool>* stop_requested = nullptr;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "tlsph/analysis/history.hpp"
 #include "tlsph/scene/names.hpp"
 
 namespace tlsph {

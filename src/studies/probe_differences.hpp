@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tlsph/analysis/history.hpp"
+#include "tlsph/observe/history.hpp"
 #include "tlsph/scene/scene.hpp"
 
 namespace tlsph {

@@ -23,7 +23,7 @@ DOORS = {
     "Eigen": (r"Eigen/", None),
     "fmt": (r"fmt/", None),
     "OpenMP": (r"omp\.h$", None),
-    "vector instructions": (r"immintrin\.h$", {"dynamics"}),
+    "vector instructions": (r"immintrin\.h$", {"sweep"}),
     "POSIX": (r"(unistd|fcntl|spawn)\.h$|sys/", None),
     "toml++": (r"toml", {"scene"}),
     "CLI11": (r"CLI/", {"programs"}),

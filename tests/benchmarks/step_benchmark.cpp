@@ -13,10 +13,10 @@
 #include <string_view>
 #include <utility>
 
-#include "tlsph/dynamics/sweep.hpp"
 #include "tlsph/model/builder.hpp"
 #include "tlsph/scene/reader.hpp"
 #include "tlsph/studies/plain_step.hpp"
+#include "tlsph/sweep/sweep.hpp"
 
 namespace tlsph {
 namespace {

@@ -17,12 +17,12 @@
 #include <string>
 #include <vector>
 
-#include "tlsph/dynamics/critical_step.hpp"
-#include "tlsph/dynamics/ledger.hpp"
+#include "tlsph/dynamics/balance.hpp"
 #include "tlsph/dynamics/state.hpp"
 #include "tlsph/kernels/families.hpp"
 #include "tlsph/model/builder.hpp"
 #include "tlsph/scene/reader.hpp"
+#include "tlsph/stepping/critical_step.hpp"
 
 namespace tlsph::property {
 
@@ -278,20 +278,23 @@ VectorField<D> deformed(const Discretisation<D>& disc, Random& random) {
   return affine<D>(disc.particles.X, A, b) + random.field<D>(disc.nodes(), 0.05 * disc.spacing);
 }
 
-/// A run of `steps` equal steps as the time loop makes them, calling observe(state, ledger) at
+/// A run of `steps` equal steps as the time loop makes them, calling observe(state, done) at
 /// every `every`-th instant, the first and the last included, with H, P and f there.
 template <int D, class Observe>
 void march(const Discretisation<D>& disc, State<D>& state, double dt, long steps, long every,
            const Observe& observe) {
-  Ledger<D> ledger;
+  WorkAndImpulse<D> done;
+  BoundaryForces<D> forces(disc);
+  const Instant<D> now{disc, state, dt};
   evaluate<D>(disc, state);
   start<D>(disc, state, dt);
   for (long n = 0;; ++n) {
     evaluate<D>(disc, state);
-    if (n > 0) ledger.arrive(disc, state, dt);
-    if (n % every == 0 || n == steps) observe(state, ledger);
+    forces.gather(now);
+    if (n > 0) done.add_before(forces, now);
+    if (n % every == 0 || n == steps) observe(state, done);
     if (n == steps) return;
-    ledger.depart(disc, state, dt);
+    done.add_after(forces, now);
     advance<D>(disc, state, dt, static_cast<double>(n + 1) * dt);
   }
 }

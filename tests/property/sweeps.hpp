@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "property/bodies.hpp"
-#include "tlsph/dynamics/sweep.hpp"
+#include "tlsph/sweep/sweep.hpp"
 
 namespace tlsph::property {
 
@@ -57,14 +57,16 @@ void expect_the_same_step(const Discretisation<D>& disc, double strain = 0.1,
                           StepForm form = StepForm::points) {
   ASSERT_TRUE(Sweep<D>::possible(disc));
   State<D> expected = moving<D>(disc, strain);
-  Ledger<D> books;
+  WorkAndImpulse<D> books;
   evaluate<D>(disc, expected);
   State<D> at_now = moving<D>(disc, strain);
   evaluate<D>(disc, at_now);
   const double force = expected.f.cwiseAbs().maxCoeff();
   const double velocity = 3.0 + dt * disc.inverse_mass.maxCoeff() * force;
-  books.arrive(disc, expected, dt);
-  books.depart(disc, expected, dt);
+  BoundaryForces<D> gathered(disc);
+  gathered.gather({disc, expected, dt});
+  books.add_before(gathered, {disc, expected, dt});
+  books.add_after(gathered, {disc, expected, dt});
   advance<D>(disc, expected, dt, now + dt);
 
   for (const SweepOptions& way : ways(form)) {
@@ -74,9 +76,9 @@ void expect_the_same_step(const Discretisation<D>& disc, double strain = 0.1,
     Sweep<D> sweep(disc, way);
     ASSERT_EQ(sweep.stiffness_multiply_adds().has_value(), form == StepForm::stiffness);
     BoundaryForces<D> forces = sweep.boundary_forces();
-    Ledger<D> own;
+    WorkAndImpulse<D> own;
     sweep.step(state, dt, now + dt, forces);
-    own.book(disc, forces, state, now, way_here, dt, false);
+    own.add_step(disc, forces, state, {way_here, dt, false});
 
     expect_the_same_fields(sweep, moving<D>(disc, strain), at_now);
     EXPECT_LE((state.v - expected.v).cwiseAbs().maxCoeff(), 1e-13 * velocity);

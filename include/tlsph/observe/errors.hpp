@@ -2,7 +2,7 @@
 /// \file
 /// Distance from an exact solution.
 
-#include "tlsph/dynamics/state.hpp"
+#include "tlsph/dynamics/instant.hpp"
 #include "tlsph/exact/exact.hpp"
 
 namespace tlsph {
@@ -15,11 +15,8 @@ struct RelativeErrors {
   double stress = 0.0;
 };
 
-/// Errors at t_n; `dt` is the coming step. Needs `evaluate` before. A field whose exact values
-/// vanish everywhere gives the absolute norm.
+/// A field whose exact values vanish everywhere gives the absolute norm.
 template <int D>
-[[nodiscard]] RelativeErrors errors_against(const ExactSolution<D>& exact,
-                                            const Discretisation<D>& discretisation,
-                                            const State<D>& state, double dt);
+[[nodiscard]] RelativeErrors errors_against(const ExactSolution<D>& exact, const Instant<D>& now);
 
 }  // namespace tlsph

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tlsph/core/error.hpp"
-#include "tlsph/dynamics/state.hpp"
+#include "tlsph/dynamics/instant.hpp"
 #include "tlsph/observe/quantity.hpp"
 #include "tlsph/particles/interpolation.hpp"
 
@@ -37,13 +37,16 @@ class Probes {
   /// Nodes and material points that `sample` looks at, each perhaps more than once.
   [[nodiscard]] std::vector<Index> nodes() const;
   [[nodiscard]] std::vector<Index> points() const;
-  /// Values at t_n; velocities at the same time as displacements. `dt` is the coming step. `row`
-  /// has one entry a column. Needs `evaluate` before, at least there; takes nothing from the heap.
-  void sample(const Discretisation<D>& discretisation, const State<D>& state, double dt,
-              std::span<double> row) const;
+  /// Values at t_n, one entry a column of `row`. Takes nothing from the heap.
+  void sample(const Instant<D>& now, std::span<double> row) const;
+  /// The columns of what an exact solution knows, and its values at a time [s].
+  [[nodiscard]] std::vector<std::string> exact_columns() const;
+  void sample_exact(const ExactSolution<D>& exact, double time, std::span<double> row) const;
 
  private:
   struct Probe {
+    std::string name;
+    Vector<D> at;
     InterpolationRow nodes, points;
     std::size_t region = 0;
     Index nearest = 0;  // material point

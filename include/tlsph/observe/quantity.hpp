@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "tlsph/core/field.hpp"
+#include "tlsph/dynamics/instant.hpp"
 #include "tlsph/dynamics/measures.hpp"
-#include "tlsph/dynamics/state.hpp"
 #include "tlsph/exact/exact.hpp"
 
 namespace tlsph {
@@ -94,14 +94,12 @@ void for_components(Rank rank, bool symmetric, const Take& take) {
     for (int j = symmetric ? i : 0; j < columns; ++j) take(i, j);
 }
 
-/// The motion of a particle at t_n; `dt` is the coming step [s]. Needs `evaluate` before.
+/// The motion of a particle.
 template <int D>
-[[nodiscard]] Observed<D> observed_particle(const Discretisation<D>& discretisation,
-                                            const State<D>& state, double dt, Index particle);
-/// The strain and stress of a material point at t_n. Needs `evaluate` before.
+[[nodiscard]] Observed<D> observed_particle(const Instant<D>& now, Index particle);
+/// The strain and stress of a material point.
 template <int D>
-[[nodiscard]] Observed<D> observed_point(const Discretisation<D>& discretisation,
-                                         const State<D>& state, Index point);
+[[nodiscard]] Observed<D> observed_point(const Instant<D>& now, Index point);
 
 /// What stands behind the name of a quantity in the names of its columns, in their order: `_x` …,
 /// `_xy` …, nothing for a scalar.

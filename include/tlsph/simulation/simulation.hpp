@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 
+#include "tlsph/observe/history.hpp"
 #include "tlsph/scene/scene.hpp"
 #include "tlsph/simulation/summary.hpp"
 
@@ -24,6 +25,9 @@ struct RunOptions {
   std::filesystem::path out;  ///< directory of run.h5, probes.csv, …; empty: nothing is written
   int threads = 0;            ///< 0: all cores, one for small problems
   bool resume = false;        ///< go on from the checkpoint in `out`
+  /// Where the rows of probes.csv and probes_exact.csv go too, those since `resume`; also of a run
+  /// that ends by a NumericalError.
+  ProbeHistories* histories = nullptr;
   std::function<void(const Progress&)> progress;  ///< called about ten times a second, may be empty
   const std::atomic<bool>* stop_requested =
       nullptr;  ///< set by a signal: finish the step, save, return

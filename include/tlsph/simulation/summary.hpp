@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tlsph/core/types.hpp"
+#include "tlsph/dynamics/hyperbolicity.hpp"
 #include "tlsph/operators/consistency.hpp"
 #include "tlsph/operators/row_storage.hpp"
 
@@ -25,18 +26,6 @@ struct EnergyLedger {
   double external_work = 0.0;   ///< loads and supports
   double dissipated = 0.0;      ///< by the viscous matrix C
   double drift_relative = 0.0;  ///< max |E − E₀ − W| / max E
-};
-
-/// The first time that a material point was seen at which its law carries no waves any more.
-struct HyperbolicityLoss {
-  double time = 0.0;                 ///< [s]
-  Index point = -1;                  ///< the worst material point then
-  std::vector<double> position;      ///< of it in the reference configuration [m]
-  std::vector<double> stretches;     ///< principal ones, the largest first
-  double acoustic_eigenvalue = 0.0;  ///< ρc² of its slowest plane wave [Pa]
-
-  /// What happened, in words, for people.
-  [[nodiscard]] std::string text() const;
 };
 
 /// A load and where it acts.

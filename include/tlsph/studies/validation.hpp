@@ -18,7 +18,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tlsph/analysis/history.hpp"
+#include "tlsph/observe/history.hpp"
 #include "tlsph/simulation/simulation.hpp"
 
 namespace tlsph {
@@ -46,7 +46,7 @@ struct Check {
 /// What a run of a scene left: its summary, and what its probes recorded.
 struct CaseScene {
   Summary summary;
-  History history;                  ///< probes.csv; empty without probes
+  ProbeHistories probes;            ///< what they recorded; empty without probes
   std::filesystem::path directory;  ///< run.h5, probes.csv, …
   std::optional<double> failed_at;  ///< [s] when it lost its physics; `summary` is empty then
   std::string failure;              ///< and how

@@ -6,9 +6,9 @@
 #include "counting_allocator.hpp"
 #include "property/bodies.hpp"
 #include "tlsph/core/parallel.hpp"
-#include "tlsph/dynamics/excerpt.hpp"
-#include "tlsph/dynamics/sweep.hpp"
+#include "tlsph/dynamics/partial_evaluation.hpp"
 #include "tlsph/observe/probes.hpp"
+#include "tlsph/sweep/sweep.hpp"
 
 #ifdef TLSPH_COUNTS_ALLOCATIONS
 
@@ -137,18 +137,17 @@ long allocations_of_ten_sweeps(const Discretisation<D>& disc, const Probes<D>& p
   options.threads = worth_threads(disc.nodes()) ? omp_get_max_threads() : 1;
   Sweep<D> sweep(disc, options);
   BoundaryForces<D> forces = sweep.boundary_forces();
-  const Excerpt<D> excerpt(disc, probes.nodes(), probes.points());
+  const PartialEvaluation<D> probed(disc, probes.nodes(), probes.points());
   std::vector<double> row(probes.columns().size());
-  Ledger<D> ledger;
+  WorkAndImpulse<D> done;
 
   const long before = allocations;
   for (int n = 0; n < 10; ++n) {
     sweep.evaluate(state);
-    excerpt.evaluate(disc, state);
-    probes.sample(disc, state, dt, row);
-    const double time = state.time;
-    sweep.step(state, dt, time + dt, forces);
-    ledger.book(disc, forces, state, time, dt, dt, false);
+    probed.evaluate(disc, state);
+    probes.sample({disc, state, dt}, row);
+    sweep.step(state, dt, state.time + dt, forces);
+    done.add_step(disc, forces, state, {dt, dt, false});
   }
   const long during = allocations - before;
 
@@ -170,21 +169,24 @@ long allocations_of_ten_steps(const Scene& scene, const Discretisation<D>& disc)
               {"displacement", "velocity", "acceleration", "deformation_gradient", "pk1", "cauchy",
                "pressure", "von_mises"}}});
   std::vector<double> row(probes.columns().size());
-  Ledger<D> ledger;
+  WorkAndImpulse<D> done;
+  BoundaryForces<D> forces(disc);
+  const Instant<D> now{disc, state, dt};
 
   const long before = allocations;
-  double books = 0.0;
+  double kinetic = 0.0;
   for (int n = 0; n < 10; ++n) {
     evaluate<D>(disc, state);
-    if (n > 0) ledger.arrive(disc, state, dt);
-    books += balance<D>(disc, state, dt).kinetic;
-    probes.sample(disc, state, dt, row);
-    ledger.depart(disc, state, dt);
+    forces.gather(now);
+    if (n > 0) done.add_before(forces, now);
+    kinetic += balance<D>(now).kinetic;
+    probes.sample(now, row);
+    done.add_after(forces, now);
     advance<D>(disc, state, dt, state.time + dt);
   }
   const long during = allocations - before;
 
-  EXPECT_NE(books, 0.0);
+  EXPECT_NE(kinetic, 0.0);
   EXPECT_TRUE(std::isfinite(row.back()));
   return during +
          (Sweep<D>::possible(disc) ? allocations_of_ten_sweeps<D>(disc, probes, state, dt) : 0);

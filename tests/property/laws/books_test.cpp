@@ -26,8 +26,8 @@ std::vector<Entry> books_of(const Scene& scene, double share_of_critical, long s
     const double dt = share_of_critical * critical_step<D>(disc, state).dt;
     Balance<D> first;
     double gravity = 0.0;
-    march<D>(disc, state, dt, steps, 1, [&](const State<D>& now, const Ledger<D>& ledger) {
-      const Balance<D> books = balance<D>(disc, now, dt);
+    march<D>(disc, state, dt, steps, 1, [&](const State<D>& now, const WorkAndImpulse<D>& ledger) {
+      const Balance<D> books = balance<D>({disc, now, dt});
       if (now.step == 0) {
         first = books;
         gravity = books.gravity;

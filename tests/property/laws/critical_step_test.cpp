@@ -67,7 +67,7 @@ double largest_displacement(const Discretisation<D>& disc, double dt) {
                                  VectorField<D>::Zero(disc.nodes(), D));
   double most = 0.0;
   try {
-    march<D>(disc, state, dt, 1500, 1, [&](const State<D>& now, const Ledger<D>&) {
+    march<D>(disc, state, dt, 1500, 1, [&](const State<D>& now, const WorkAndImpulse<D>&) {
       most = std::max(most, now.u.cwiseAbs().maxCoeff());
     });
   } catch (const NumericalError&) {

@@ -46,8 +46,8 @@ TEST_P(Defaults, KeepEnergyAndMomentaOfABodyThatTurnsAndStrains) {
   const double dt = 0.15 * critical_step<2>(disc, state).dt;
   std::vector<Balance<2>> books;
   double strain = 0.0;
-  march<2>(disc, state, dt, 6600, 30, [&](const State<2>& now, const Ledger<2>&) {
-    books.push_back(balance<2>(disc, now, dt));
+  march<2>(disc, state, dt, 6600, 30, [&](const State<2>& now, const WorkAndImpulse<2>&) {
+    books.push_back(balance<2>({disc, now, dt}));
     for (Index s = 0; s < now.H.rows(); ++s)
       strain = std::max(strain, green_lagrange<2>(tensor_at<2>(now.H, s)).cwiseAbs().maxCoeff());
   });

@@ -95,8 +95,8 @@ Record record_run(const Discretisation<D>& disc, const VectorField<D>& velocity,
   double scale = 0.0;
   double angular_scale = 0.0;
   march<D>(disc, state, dt, parts * flight_steps, parts * flight_every,
-           [&](const State<D>& now, const Ledger<D>&) {
-             const Balance<D> books = balance<D>(disc, now, dt);
+           [&](const State<D>& now, const WorkAndImpulse<D>&) {
+             const Balance<D> books = balance<D>({disc, now, dt});
              if (now.step == 0) first = books;
              record.energy.push_back(books.kinetic + books.elastic);
              for (Index s = 0; s < now.H.rows(); ++s)

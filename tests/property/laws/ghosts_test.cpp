@@ -56,7 +56,7 @@ void run_scene(const Scene& scene, const Discretisation<D>& disc, long every,
   evaluate<D>(disc, state);
   const double dt = 0.8 * critical_step<D>(disc, state).dt;
   march<D>(disc, state, dt, static_cast<long>(scene.time.end / dt), every,
-           [&](const State<D>& now, const Ledger<D>&) { observe(now, dt); });
+           [&](const State<D>& now, const WorkAndImpulse<D>&) { observe(now, dt); });
 }
 
 std::vector<Treatment> exact_treatments() {
@@ -85,7 +85,7 @@ TEST_P(LoadedBar, TakesItsBoundaryValuesExactly) {
   double largest = 0.0;
 
   run_scene<1>(scene, disc, 1, [&](const State<1>& now, double dt) {
-    probes.sample(disc, now, dt, row);
+    probes.sample({disc, now, dt}, row);
     const double expected = value(load, now.time);
     largest = std::max(largest, std::abs(expected));
     ASSERT_NEAR(row[0], expected, 1e-9 * 2e4);

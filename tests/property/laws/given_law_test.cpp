@@ -3,10 +3,10 @@
 
 #include "property/sweeps.hpp"
 #include "tlsph/dynamics/hyperbolicity.hpp"
-#include "tlsph/dynamics/linearised.hpp"
-#include "tlsph/dynamics/step_follower.hpp"
 #include "tlsph/materials/kinematics.hpp"
 #include "tlsph/materials/stress.hpp"
+#include "tlsph/stepping/adaptive_step.hpp"
+#include "tlsph/stepping/linearised_forces.hpp"
 
 namespace tlsph::property {
 namespace {
@@ -152,7 +152,7 @@ TEST(GivenLaw, OfAListedLawIsThatLaw) {
   const State<2> expected = evaluated<2>(disc, u);
   const double dt = critical_step<2>(disc, expected).dt;
   const double energy = elastic_energy<2>(disc, expected);
-  StepFollower<2> follower(disc, evaluated<2>(disc, VectorField<2>::Zero(disc.nodes(), 2)), 0.9);
+  AdaptiveStep<2> follower(disc, evaluated<2>(disc, VectorField<2>::Zero(disc.nodes(), 2)), 0.9);
   const double first = follower.step();
 
   disc.regions.front().law = GivenLaw<2, false>(listed);
@@ -165,7 +165,7 @@ TEST(GivenLaw, OfAListedLawIsThatLaw) {
   EXPECT_EQ(cauchy<2>(disc.regions.front().law, random.tensor<2>(0.0), tensor_at<2>(state.P, 3)),
             cauchy<2>(AnyLaw<2>(listed), Tensor<2>::Zero(), tensor_at<2>(state.P, 3)));
   EXPECT_FALSE(most_unstable_point<2>(disc, state));
-  StepFollower<2> other(disc, evaluated<2>(disc, VectorField<2>::Zero(disc.nodes(), 2)), 0.9);
+  AdaptiveStep<2> other(disc, evaluated<2>(disc, VectorField<2>::Zero(disc.nodes(), 2)), 0.9);
   EXPECT_NEAR(other.step(), first, 1e-12 * first);
 }
 

@@ -21,8 +21,8 @@ Drift drift_of(const Scene& scene, double share_of_critical) {
     const double dt = share_of_critical * critical_step<D>(disc, state).dt;
     double energy = 0.0, momentum = 0.0;
     march<D>(disc, state, dt, static_cast<long>(scene.time.end / dt), 1,
-             [&](const State<D>& now, const Ledger<D>& ledger) {
-               const Balance<D> books = balance<D>(disc, now, dt);
+             [&](const State<D>& now, const WorkAndImpulse<D>& ledger) {
+               const Balance<D> books = balance<D>({disc, now, dt});
                const double has = books.kinetic + books.elastic;
                energy = std::max(energy, has);
                momentum = std::max(momentum, books.momentum_scale);

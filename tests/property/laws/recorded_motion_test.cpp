@@ -52,7 +52,7 @@ end = 1.2
     return std::abs(next_velocity<1>(disc, now, dt, dof) - now.v.data()[dof]) / dt;
   };
   march<1>(disc, state, dt, static_cast<long>(1.2 / dt), 1,
-           [&](const State<1>& now, const Ledger<1>&) {
+           [&](const State<1>& now, const WorkAndImpulse<1>&) {
              if (now.step == 0) return;
              result.foot = std::max(result.foot, acceleration(now, 0));
              result.top = std::max(result.top, acceleration(now, disc.nodes() - 1));

@@ -2,7 +2,7 @@
 
 #include "tlsph/dynamics/stiffness_matrix.hpp"
 #include "property/bodies.hpp"
-#include "tlsph/dynamics/linearised.hpp"
+#include "tlsph/stepping/linearised_forces.hpp"
 
 namespace tlsph::property {
 namespace {

@@ -4,7 +4,7 @@
 #include "property/sweeps.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/core/team.hpp"
-#include "tlsph/dynamics/excerpt.hpp"
+#include "tlsph/dynamics/partial_evaluation.hpp"
 
 namespace tlsph::property {
 namespace {
@@ -60,7 +60,7 @@ INSTANTIATE_TEST_SUITE_P(, SweepOfBoundaries,
                          });
 
 /// What probes look at, bit by bit what a look at everything shows there.
-TEST(Excerpt, IsTheRowsOfTheWhole) {
+TEST(PartialEvaluation, IsTheRowsOfTheWhole) {
   const Discretisation<2> disc = build<2>(read_scene_text(busy_scene, "busy", {}));
   State<2> whole = moving<2>(disc, 0.01);
   State<2> part = moving<2>(disc, 0.01);
@@ -68,7 +68,7 @@ TEST(Excerpt, IsTheRowsOfTheWhole) {
   const std::vector<Index> points = {17, 5};
 
   evaluate<2>(disc, whole);
-  Excerpt<2>(disc, nodes, points).evaluate(disc, part);
+  PartialEvaluation<2>(disc, nodes, points).evaluate(disc, part);
 
   for (const Index q : nodes) EXPECT_EQ(part.f.row(q), whole.f.row(q)) << q;
   for (const Index s : points) {

@@ -2,22 +2,15 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <numbers>
-#include <string>
-
-#include "tlsph/core/error.hpp"
+#include <vector>
 
 namespace tlsph {
 namespace {
 
 using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::ThrowsMessage;
 
 std::vector<double> mapped(const std::vector<double>& t, auto f) {
   std::vector<double> values;
@@ -66,44 +59,6 @@ TEST(Resample, TakesWhatThereIsOfFewSamples) {
 TEST(SquaredNorm, IsTheTrapezoidalIntegral) {
   EXPECT_DOUBLE_EQ(squared_norm(std::vector{0.0, 1.0, 3.0}, std::vector{2.0, 1.0, -3.0}),
                    0.5 * (4.0 + 1.0) + 1.0 * (1.0 + 9.0));
-}
-
-class HistoryFile : public testing::Test {
- protected:
-  std::filesystem::path write(const std::string& text) {
-    std::ofstream(path) << text;
-    return path;
-  }
-  void TearDown() override { std::filesystem::remove(path); }
-
-  std::filesystem::path path =
-      std::filesystem::path(testing::TempDir()) /
-      (std::string("tlsph_") + testing::UnitTest::GetInstance()->current_test_info()->name() + "_" +
-       std::to_string(::getpid()) + ".csv");
-};
-
-TEST_F(HistoryFile, IsReadToTheLastBit) {
-  const History history = read_history(
-      write("time,tip.displacement_x,p2.pk1_xx\n0,0,-1e5\n0.10000000000000001,-1.5e-300,7\n"));
-
-  EXPECT_THAT(history.time, ElementsAre(0.0, 0.1));
-  EXPECT_THAT(history.names, ElementsAre("tip.displacement_x", "p2.pk1_xx"));
-  EXPECT_THAT(history.values, ElementsAre(ElementsAre(0.0, -1.5e-300), ElementsAre(-1e5, 7.0)));
-}
-
-TEST_F(HistoryFile, IsRefusedWithItsPlace) {
-  const auto refuses = [&](const std::string& text, const std::string& message) {
-    const auto written = write(text);
-    EXPECT_THAT([&] { (void)read_history(written); }, ThrowsMessage<InputError>(HasSubstr(message)))
-        << text;
-  };
-  refuses("", "empty");
-  refuses("t,a\n0,1\n", ":1:1: the first column must be time");
-  refuses("time,a\n", "no rows");
-  refuses("time,a\n0,1\n1\n", ":3:1: a row has as many cells");
-  refuses("time,a\n0,1x\n", ":2:1: \"1x\" is no number");
-  refuses("time,a\n0,\n", "is no number");
-  EXPECT_THROW((void)read_history("/no/such/file.csv"), InputError);
 }
 
 }  // namespace

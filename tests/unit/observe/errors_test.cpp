@@ -31,7 +31,7 @@ TEST(Errors, VanishOnTheExactSolution) {
   const auto disc = test::cells_of<1>(4);
 
   const RelativeErrors errors =
-      errors_against<1>(linear_field(disc, 1e-3, 2.0), disc, stretched(disc), 1e-6);
+      errors_against<1>(linear_field(disc, 1e-3, 2.0), {disc, stretched(disc), 1e-6});
 
   EXPECT_LE(errors.displacement, 1e-14);
   EXPECT_LE(errors.velocity, 1e-14);
@@ -42,7 +42,7 @@ TEST(Errors, AreSharesOfTheExactSolution) {
   const auto disc = test::cells_of<1>(4);
 
   const RelativeErrors errors =
-      errors_against<1>(linear_field(disc, 0.8e-3, 2.5), disc, stretched(disc), 1e-6);
+      errors_against<1>(linear_field(disc, 0.8e-3, 2.5), {disc, stretched(disc), 1e-6});
 
   EXPECT_NEAR(errors.displacement, 0.25, 1e-12);
   EXPECT_NEAR(errors.velocity, 0.2, 1e-12);
@@ -54,7 +54,7 @@ TEST(Errors, AreNormsWhereTheExactSolutionVanishes) {
   const auto disc = test::cells_of<1>(4);
 
   const RelativeErrors errors =
-      errors_against<1>(linear_field(disc, 0.0, 0.0), disc, stretched(disc), 1e-6);
+      errors_against<1>(linear_field(disc, 0.0, 0.0), {disc, stretched(disc), 1e-6});
 
   const double d = disc.spacing;
   const double squares = d * d * d * (1.0 + 4.0 + 9.0 + 0.5 * 16.0);

@@ -49,7 +49,7 @@ TEST_P(ProbePlaces, ShowTheHomogeneousState) {
         {"displacement", "deformation_gradient", "pk1", "cauchy", "pressure", "von_mises"}}});
   std::vector<double> row(probes.columns().size());
 
-  probes.sample(sheet.disc, sheet.state, 1e-5, row);
+  probes.sample({sheet.disc, sheet.state, 1e-5}, row);
 
   const Tensor<2> H = stretch();
   const Tensor<2> F = Tensor<2>::Identity() + H;
@@ -105,13 +105,13 @@ TEST(Probes, ShowVelocityAtTheTimeOfTheDisplacement) {
   const Probes<1> probes(disc, {{"p", Vector<1>(0.013), {"velocity", "acceleration"}}});
   std::vector<double> row(2);
 
-  probes.sample(disc, state, 1e-3, row);
+  probes.sample({disc, state, 1e-3}, row);
   EXPECT_NEAR(row[0], 5.0, 1e-14);
   EXPECT_NEAR(row[1], 4.0, 1e-11);
 
   advance<1>(disc, state, 1e-3, 1e-3);
   evaluate<1>(disc, state);
-  probes.sample(disc, state, 5e-4, row);
+  probes.sample({disc, state, 5e-4}, row);
   EXPECT_NEAR(row[0], 5.0 + 4.0 * 1e-3, 1e-14);
   EXPECT_NEAR(row[1], 4.0, 1e-11);
 }
@@ -127,7 +127,7 @@ TEST(Probes, ShowTheStressOfTheNearestPointBeyondTheRangeOfTheLaw) {
   const Probes<1> probes(disc, {{"p", end, {"deformation_gradient", "cauchy", "von_mises"}}});
   std::vector<double> row(3);
 
-  probes.sample(disc, state, 1e-5, row);
+  probes.sample({disc, state, 1e-5}, row);
 
   EXPECT_LT(row[0], 0.0);
   EXPECT_NEAR(row[1] / state.P(3, 0), 1.0, 1e-12);

@@ -13,11 +13,11 @@
 #include <optional>
 
 #include "tlsph/core/error.hpp"
-#include "tlsph/dynamics/critical_step.hpp"
 #include "tlsph/io/hdf5.hpp"
 #include "tlsph/model/builder.hpp"
 #include "tlsph/scene/reader.hpp"
 #include "tlsph/simulation/simulation.hpp"
+#include "tlsph/stepping/critical_step.hpp"
 
 namespace tlsph {
 namespace {

@@ -9,8 +9,8 @@
 #include <map>
 #include <set>
 
+#include "read_history.hpp"
 #include "study_folder.hpp"
-#include "tlsph/analysis/history.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/io/json.hpp"
 #include "tlsph/scene/reader.hpp"
@@ -199,7 +199,7 @@ TEST_F(Chart, HoldsAValueAgainstItsAnswer) {
   RunOptions options;
   options.out = folder / "one";
   (void)tlsph::run(read_scene(asked.scene, point.overrides), options);
-  const History history = read_history(options.out / "probes.csv");
+  const History history = test::read_history(options.out / "probes.csv");
   EXPECT_NEAR(point.errors[0], std::abs(history.values[0].back() / 1e-3 - 1.0), 1e-12);
 }
 
@@ -212,8 +212,8 @@ TEST_F(Chart, ExtrapolatesAnAnswerNobodyGave) {
   (void)tlsph::run(
       read_scene(write("exact.toml", pushed_bar + middle + with_exact), {"body.spacing=0.0125"}),
       options);
-  const double truth = read_history(options.out / "probes_exact.csv").values[0].back();
-  const double finest = read_history(options.out / "probes.csv").values[0].back();
+  const double truth = test::read_history(options.out / "probes_exact.csv").values[0].back();
+  const double finest = test::read_history(options.out / "probes.csv").values[0].back();
   ChartRequest asked = request(pushed_bar + middle);
   asked.overrides = {"body.spacing=0.025"};
   asked.formulations = {"stress-point"};

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "converge_study.hpp"
-#include "tlsph/analysis/history.hpp"
+#include "read_history.hpp"
 #include "tlsph/scene/reader.hpp"
 #include "tlsph/simulation/simulation.hpp"
 
@@ -44,8 +44,8 @@ TEST_F(ConvergeOfProbes, EstimatesTheErrorThatIsLeft) {
   (void)run(read_scene(write("exact.toml", pushed_bar + tip + with_exact), {"body.spacing=0.0125"}),
             options);
 
-  const History computed = read_history(options.out / "probes.csv");
-  const History exact = read_history(options.out / "probes_exact.csv");
+  const History computed = test::read_history(options.out / "probes.csv");
+  const History exact = test::read_history(options.out / "probes_exact.csv");
   std::vector<double> difference = computed.values[0];
   for (std::size_t k = 0; k < difference.size(); ++k) difference[k] -= exact.values[0][k];
   const double left =
@@ -76,7 +76,8 @@ TEST_F(ConvergeOfProbes, ExtrapolatesWhatItReadsOffTheProbes) {
               ElementsAre("tip.displacement_x.period", "tip.displacement_x.end"));
   ASSERT_EQ(asked.values.size(), 2);
   const double finest = asked.values[1].medians.back();
-  EXPECT_EQ(finest, read_history(folder / "out/stress-point/0.025/probes.csv").values[0].back());
+  EXPECT_EQ(finest,
+            test::read_history(folder / "out/stress-point/0.025/probes.csv").values[0].back());
   EXPECT_EQ(asked.rows[2].values[1], finest);
   EXPECT_THAT(asked.text(), HasSubstr("tip.displacement_x.period"));
 }
@@ -93,8 +94,8 @@ TEST_F(ConvergeOfProbes, ExtrapolatesHistories) {
   (void)study(pushed_bar + tip, {0.05, 0.025, 0.0125});
 
   const auto error = [&](const std::filesystem::path& file) {
-    const History truth = read_history(exact.out / "probes_exact.csv");
-    History history = read_history(file);
+    const History truth = test::read_history(exact.out / "probes_exact.csv");
+    History history = test::read_history(file);
     for (std::size_t k = 0; k < history.time.size(); ++k)
       history.values[0][k] -= truth.values[0][k];
     return std::sqrt(squared_norm(history.time, history.values[0]));

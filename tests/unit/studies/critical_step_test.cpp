@@ -1,6 +1,6 @@
 /// The critical step of a run, found by a few Krylov steps, against the whole spectrum of M⁻¹K.
 
-#include "tlsph/dynamics/critical_step.hpp"
+#include "tlsph/stepping/critical_step.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,50 @@
+#pragma once
+/// \file
+/// The forces of a run linearised at a state: K = −∂f/∂u with the tangents of the law there, by the
+/// run's own operators. `product` serves Lanczos (critical_step.hpp); `dynamical_matrix` gives the
+/// full matrix of a small body.
+
+#include <optional>
+
+#include "tlsph/dynamics/state.hpp"
+#include "tlsph/sweep/stiffness_product.hpp"
+#include "tlsph/sweep/sweep.hpp"
+
+namespace tlsph {
+
+template <int D>
+class LinearisedForces {
+ public:
+  /// Both must outlive this, and `state.H` must stay as it is. A sweep of the same discretisation,
+  /// which must outlive this too, lends its operators.
+  LinearisedForces(const Discretisation<D>& discretisation, const State<D>& state,
+                   const Sweep<D>* sweep = nullptr);
+  LinearisedForces(const LinearisedForces&) = delete;
+  LinearisedForces& operator=(const LinearisedForces&) = delete;
+
+  /// −K x = D (A : G x) − S x, the change of the forces with a displacement x (N×d) [N per
+  /// thickness]. Signals do not change.
+  void product(const VectorField<D>& x, VectorField<D>& force);
+
+  /// Entries of `inverse_mass` that are not zero, ascending.
+  [[nodiscard]] std::vector<Index> free_dofs() const;
+
+  /// M^-½ K M^-½ over the free degrees of freedom [1/s²], column by column, n² time; exactly
+  /// symmetric where D is the adjoint of G.
+  [[nodiscard]] SparseMatrix dynamical_matrix();
+
+  /// M^-½ C M^-½ in the same order [1/s]; empty without viscosity.
+  [[nodiscard]] SparseMatrix damping_matrix() const;
+
+ private:
+  const Discretisation<D>& disc_;
+  const State<D>& state_;
+  TensorField<D> H_;
+  std::optional<Sweep<D>> sweep_;               // of large undeformed bodies, a tenth of the cost
+  std::optional<StiffnessProduct<D>> tangent_;  // of large deformed ones, a quarter of it
+  State<D> moved_;
+  std::vector<double> zero_;
+  typename GhostGradient<D>::Workspace workspace_;
+};
+
+}  // namespace tlsph

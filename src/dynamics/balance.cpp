@@ -1,0 +1,245 @@
+#include "tlsph/dynamics/balance.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tlsph/dynamics/stabiliser_forces.hpp"
+
+namespace tlsph {
+namespace {
+
+/// x × f in 2D, zero in 1D.
+template <int D>
+double cross(const Vector<D>& x, const Vector<D>& force) {
+  if constexpr (D == 2)
+    return x[0] * force[1] - x[1] * force[0];
+  else
+    return 0.0;
+}
+
+/// Work of a force, and its impulse about the origin, over parts of the half steps before and after
+/// t_n. `next(dof)` is v_{n+½}.
+template <int D, class Next>
+class Adder {
+ public:
+  Adder(const Discretisation<D>& disc, const BoundaryForces<D>& forces, double before, double after,
+        const Next& next)
+      : disc_(disc),
+        forces_(forces),
+        before_(before),
+        after_(after),
+        next_(next),
+        linear_(disc.linear()) {}
+
+  /// `kick`: the time that takes v_{n−½} to v_{n+½}.
+  void add_to(WorkAndImpulse<D>& sum, double kick) {
+    for (std::size_t l = 0; l < disc_.loads.size(); ++l)
+      for (std::size_t k = 0; k < disc_.loads[l].dof.size(); ++k)
+        move(disc_.loads[l].dof[k], forces_.loads[l][k],
+             forces_.load_values[l] * disc_.loads[l].weight[k]);
+    for (std::size_t k = 0; k < disc_.reactions.size(); ++k)
+      move(disc_.reactions[k].dof, forces_.reactions[k], forces_.reaction_values[k]);
+    add_constraints(kick);
+    const double time = 0.5 * (before_ + after_);
+    sum.external_work += 0.5 * work_;
+    for (int i = 0; i < D; ++i) sum.impulse[i] += time * impulse_[i];
+    sum.angular_impulse += time * angular_;
+    if (!disc_.has_body_force()) return;
+    sum.impulse += time * disc_.mass.sum() * disc_.body_force;
+    sum.angular_impulse += time * cross<D>(forces_.moment_of_mass, disc_.body_force);
+  }
+
+ private:
+  /// Reactions of constraints from what their nodes lack to their accelerations; where those are
+  /// made of stresses, the inertia of moved nodes.
+  void add_constraints(double kick) {
+    const Constraints& constraints = disc_.constraints;
+    if (disc_.reactions.empty()) {
+      push_back(constraints.fixed, forces_.fixed);
+      push_back(constraints.held, forces_.held);
+    }
+    for (std::size_t k = 0; k < constraints.moved.size(); ++k) {
+      const Index dof = constraints.moved[k].dof;
+      const Index slot = forces_.moved[k];
+      const double change = next_(dof) - forces_.v.data()[slot];
+      const double lacking = disc_.reactions.empty() ? -forces_.f.data()[slot] : 0.0;
+      move(dof, slot, disc_.mass[dof / D] * change / kick + lacking);
+    }
+  }
+  /// Supports at rest: no work.
+  void push_back(const std::vector<Index>& dofs, const std::vector<Index>& slots) {
+    for (std::size_t k = 0; k < dofs.size(); ++k)
+      push(dofs[k], slots[k], -forces_.f.data()[slots[k]]);
+  }
+  void move(Index dof, Index slot, double force) {
+    work_ += force * (before_ * forces_.v.data()[slot] + after_ * next_(dof));
+    push(dof, slot, force);
+  }
+  void push(Index dof, Index slot, double force) {
+    impulse_[dof % D] += force;
+    if constexpr (D > 1) angular_ += arm(dof, slot) * force;
+  }
+  /// Of a force on a degree of freedom about the origin, in 2D; with positions of the reference
+  /// configuration for linear elasticity, whose energy is not invariant under finite rotations.
+  [[nodiscard]] double arm(Index dof, Index slot) const requires(D == 2) {
+    const bool along_y = (dof & 1) != 0;
+    double x = disc_.particles.X.data()[dof ^ 1];
+    if (!linear_) x += forces_.u.data()[slot ^ 1];
+    return along_y ? x : -x;
+  }
+
+  const Discretisation<D>& disc_;
+  const BoundaryForces<D>& forces_;
+  double before_, after_;
+  const Next& next_;
+  bool linear_;
+  double work_ = 0.0, angular_ = 0.0;
+  double impulse_[D] = {};
+};
+
+}  // namespace
+
+template <int D>
+Vector<D> moment_of_mass(const Discretisation<D>& disc, const VectorField<D>& u) {
+  Vector<D> sum = disc.particles.X.transpose() * disc.mass;
+  if (!disc.linear()) sum += u.transpose() * disc.mass;
+  return sum;
+}
+
+template <int D>
+BoundaryForces<D>::BoundaryForces(const Discretisation<D>& disc) {
+  const auto add = [&](Index dof) { nodes.push_back(dof / D); };
+  for (const Load& load : disc.loads) std::ranges::for_each(load.dof, add);
+  std::ranges::for_each(disc.constraints.fixed, add);
+  std::ranges::for_each(disc.constraints.held, add);
+  for (const auto& motion : disc.constraints.moved) add(motion.dof);
+  for (const ReactionTerm& term : disc.reactions) add(term.dof);
+  std::ranges::sort(nodes);
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  const auto slot = [&](Index dof) {
+    return (std::ranges::lower_bound(nodes, dof / D) - nodes.begin()) * D + dof % D;
+  };
+  const auto slots = [&](const std::vector<Index>& dofs) {
+    std::vector<Index> list(dofs.size());
+    std::ranges::transform(dofs, list.begin(), slot);
+    return list;
+  };
+  for (const Load& load : disc.loads) loads.push_back(slots(load.dof));
+  load_values.assign(disc.loads.size(), 0.0);
+  fixed = slots(disc.constraints.fixed);
+  held = slots(disc.constraints.held);
+  for (const auto& motion : disc.constraints.moved) moved.push_back(slot(motion.dof));
+  for (const ReactionTerm& term : disc.reactions) reactions.push_back(slot(term.dof));
+  reaction_values.assign(reactions.size(), 0.0);
+  const auto rows = static_cast<Index>(nodes.size());
+  f = u = v = VectorField<D>::Zero(rows, D);
+}
+
+template <int D>
+void BoundaryForces<D>::gather(const Instant<D>& now) {
+  const Discretisation<D>& disc = now.body;
+  const State<D>& state = now.state;
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const auto row = static_cast<Index>(k);
+    f.row(row) = state.f.row(nodes[k]);
+    u.row(row) = state.u.row(nodes[k]);
+    v.row(row) = state.v.row(nodes[k]);
+  }
+  for (std::size_t l = 0; l < disc.loads.size(); ++l)
+    load_values[l] = value(disc.loads[l].curve, state.time);
+  for (std::size_t k = 0; k < reactions.size(); ++k)
+    reaction_values[k] = disc.reactions[k].weight * state.P.data()[disc.reactions[k].slot];
+  if (D > 1 && disc.has_body_force()) moment_of_mass = tlsph::moment_of_mass<D>(disc, state.u);
+  if (disc.viscosity.nonZeros() == 0) return;
+  viscous_power = state.viscous.cwiseProduct(state.v).sum();
+  viscous_power_after = 0.0;
+  for (Index dof = 0; dof < state.v.size(); ++dof)
+    viscous_power_after += state.viscous.data()[dof] * next_velocity<D>(disc, state, now.dt, dof);
+}
+
+template <int D>
+void WorkAndImpulse<D>::add_before(const BoundaryForces<D>& forces, const Instant<D>& now) {
+  const auto next = [&](Index dof) { return next_velocity<D>(now.body, now.state, now.dt, dof); };
+  const double before = now.state.last_dt;
+  Adder<D, decltype(next)>(now.body, forces, before, 0.0, next)
+      .add_to(*this, 0.5 * (before + now.dt));
+  dissipated += 0.5 * before * forces.viscous_power;
+}
+
+template <int D>
+void WorkAndImpulse<D>::add_after(const BoundaryForces<D>& forces, const Instant<D>& now) {
+  const auto next = [&](Index dof) { return next_velocity<D>(now.body, now.state, now.dt, dof); };
+  Adder<D, decltype(next)>(now.body, forces, 0.0, now.dt, next)
+      .add_to(*this, 0.5 * (now.state.last_dt + now.dt));
+  dissipated += 0.5 * now.dt * forces.viscous_power_after;
+}
+
+template <int D>
+void WorkAndImpulse<D>::add_step(const Discretisation<D>& disc, const BoundaryForces<D>& forces,
+                                 const State<D>& after, const Steps& steps) {
+  const auto next = [&](Index dof) { return after.v.data()[dof]; };
+  const double before = steps.before_added ? 0.0 : steps.before;
+  Adder<D, decltype(next)>(disc, forces, before, steps.after, next)
+      .add_to(*this, 0.5 * (steps.before + steps.after));
+  dissipated += 0.5 * (before * forces.viscous_power + steps.after * forces.viscous_power_after);
+}
+
+template <int D>
+double elastic_energy(const Discretisation<D>& disc, const State<D>& state) {
+  double energy = 0.0;
+  for (const Region<D>& region : disc.regions)
+    std::visit(
+        [&](const auto& law) {
+          const auto at = [&](Index s) {
+            energy += disc.points.V[s] * law.energy(tensor_at<D>(state.H, s));
+          };
+          if (region.points.empty())
+            for (Index s = 0; s < state.H.rows(); ++s) at(s);
+          else
+            for (const int s : region.points) at(s);
+        },
+        region.law);
+  return energy + stabiliser_energy<D>(disc, state.u);
+}
+
+template <int D>
+Balance<D> balance(const Instant<D>& now) {
+  const Discretisation<D>& disc = now.body;
+  const State<D>& state = now.state;
+  const bool linear = disc.linear();
+  Balance<D> result;
+  for (Index q = 0; q < disc.nodes(); ++q) {
+    const double m = disc.mass[q];
+    Vector<D> velocity;
+    for (int i = 0; i < D; ++i) {
+      const Index dof = q * D + i;
+      const NodalMotion motion = now.motion(dof);
+      const double change = 0.5 * state.last_dt * motion.acceleration;
+      velocity[i] = motion.velocity;
+      result.kinetic += 0.5 * m * (velocity[i] - change) * (velocity[i] + change);
+      result.ripple += 0.5 * m * change * change;
+    }
+    const Vector<D> p = m * velocity;
+    Vector<D> x = disc.particles.X.row(q).transpose();
+    if (!linear) x += state.u.row(q).transpose();
+    result.linear_momentum += p;
+    result.angular_momentum += cross<D>(x, p);
+    result.momentum_scale += p.norm();
+    result.angular_scale += x.norm() * p.norm();
+    if (disc.has_body_force()) result.gravity += m * disc.body_force.dot(state.u.row(q));
+  }
+  result.elastic = elastic_energy(disc, state);
+  return result;
+}
+
+#define TLSPH_INSTANTIATE(D)                                                             \
+  template struct WorkAndImpulse<D>;                                                     \
+  template struct BoundaryForces<D>;                                                     \
+  template Vector<D> moment_of_mass<D>(const Discretisation<D>&, const VectorField<D>&); \
+  template double elastic_energy<D>(const Discretisation<D>&, const State<D>&);          \
+  template Balance<D> balance<D>(const Instant<D>&);
+TLSPH_INSTANTIATE(1)
+TLSPH_INSTANTIATE(2)
+#undef TLSPH_INSTANTIATE
+
+}  // namespace tlsph

@@ -1,0 +1,141 @@
+#include "tlsph/stepping/linearised_forces.hpp"
+
+#include <omp.h>
+
+#include <cmath>
+
+#include "tlsph/core/parallel.hpp"
+#include "tlsph/dynamics/stabiliser_forces.hpp"
+
+namespace tlsph {
+namespace {
+
+/// Nodes of a body for which planning a sweep costs less than it brings.
+constexpr Index worth_a_sweep = 10'000;
+
+}  // namespace
+
+template <int D>
+LinearisedForces<D>::LinearisedForces(const Discretisation<D>& disc, const State<D>& state,
+                                      const Sweep<D>* sweep)
+    : disc_(disc), state_(state), zero_(disc.signals.size(), 0.0) {
+  if (sweep != nullptr && disc.viscosity.nonZeros() == 0) {
+    tangent_.emplace(disc, state, sweep);
+    return;
+  }
+  if (disc.nodes() >= worth_a_sweep && Sweep<D>::possible(disc) && disc.viscosity.nonZeros() == 0) {
+    if (!disc.linear() && !(state.H.array() == 0.0).all()) {
+      tangent_.emplace(disc, state);
+      return;
+    }
+    SweepOptions options;
+    options.threads = omp_get_max_threads();
+    options.linearised = true;
+    sweep_.emplace(disc, options);
+    moved_.signals.assign(disc.signals.size(), 0.0);
+    return;
+  }
+  H_ = TensorField<D>::Zero(disc.points.size(), D * D);
+  if (disc.ghosts) workspace_ = disc.ghosts->workspace();
+}
+
+template <int D>
+void LinearisedForces<D>::product(const VectorField<D>& x, VectorField<D>& force) {
+  if (sweep_) {
+    moved_.u = x;
+    moved_.f.swap(force);  // all of it is written
+    moved_.f.resizeLike(x);
+    sweep_->evaluate(moved_);
+    moved_.f.swap(force);
+    return;
+  }
+  if (tangent_) return tangent_->product(x, force);
+  if (disc_.ghosts)
+    disc_.ghosts->apply(x, zero_, H_, workspace_);
+  else
+    disc_.gradient.gradient(x, H_);
+  for (const Region<D>& region : disc_.regions)
+    std::visit(
+        [&](const auto& law) {
+          const auto at = [&](Index s) {
+            const Tensor<D> dP = law.dpk1(tensor_at<D>(state_.H, s), tensor_at<D>(H_, s));
+            Eigen::Map<Tensor<D>>(H_.data() + s * D * D) = dP;
+          };
+          if (region.points.empty())
+            for_rows(H_.rows(), at);
+          else
+            for_rows(static_cast<Index>(region.points.size()),
+                     [&](Index k) { at(region.points[static_cast<std::size_t>(k)]); });
+        },
+        region.law);
+  for (const SignalTerm& term : disc_.stress_values) H_.data()[term.slot] = 0.0;
+  disc_.divergence.divergence(H_, force);
+  subtract_stabiliser<D>(disc_, x, force);
+}
+
+template <int D>
+std::vector<Index> LinearisedForces<D>::free_dofs() const {
+  std::vector<Index> free;
+  for (Index dof = 0; dof < disc_.inverse_mass.size(); ++dof)
+    if (disc_.inverse_mass.data()[dof] != 0.0) free.push_back(dof);
+  return free;
+}
+
+template <int D>
+SparseMatrix LinearisedForces<D>::dynamical_matrix() {
+  const std::vector<Index> free = free_dofs();
+  const auto n = static_cast<Index>(free.size());
+  const auto root = [&](Index dof) { return std::sqrt(disc_.inverse_mass.data()[dof]); };
+  VectorField<D> x = VectorField<D>::Zero(disc_.nodes(), D);
+  VectorField<D> force = x;
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Index column = 0; column < n; ++column) {
+    const Index dof = free[static_cast<std::size_t>(column)];
+    x.data()[dof] = 1.0;
+    product(x, force);
+    x.data()[dof] = 0.0;
+    for (Index row = 0; row < n; ++row) {
+      const Index other = free[static_cast<std::size_t>(row)];
+      if (const double change = force.data()[other]; change != 0.0)
+        entries.emplace_back(static_cast<int>(row), static_cast<int>(column),
+                             -root(other) * change * root(dof));
+    }
+  }
+  SparseMatrix result(n, n);
+  result.setFromTriplets(entries.begin(), entries.end());
+  if (!disc_.adjoint) return result;
+  // Symmetric but for round-off, and better solved as such.
+  const SparseMatrix transposed = result.transpose();
+  return 0.5 * (result + transposed);
+}
+
+template <int D>
+SparseMatrix LinearisedForces<D>::damping_matrix() const {
+  if (disc_.viscosity.nonZeros() == 0) return {};
+  const std::vector<Index> free = free_dofs();
+  std::vector<int> place(static_cast<std::size_t>(disc_.inverse_mass.size()), -1);
+  for (std::size_t k = 0; k < free.size(); ++k)
+    place[static_cast<std::size_t>(free[k])] = static_cast<int>(k);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Index p = 0; p < disc_.viscosity.outerSize(); ++p)
+    for (SparseMatrix::InnerIterator entry(disc_.viscosity, p); entry; ++entry)
+      for (int i = 0; i < D; ++i) {
+        const Index row = entry.row() * D + i;
+        const Index column = entry.col() * D + i;
+        const int to = place[static_cast<std::size_t>(row)];
+        const int from = place[static_cast<std::size_t>(column)];
+        if (to >= 0 && from >= 0)
+          entries.emplace_back(to, from,
+                               entry.value() * std::sqrt(disc_.inverse_mass.data()[row] *
+                                                         disc_.inverse_mass.data()[column]));
+      }
+  const auto n = static_cast<Index>(free.size());
+  SparseMatrix result(n, n);
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+template class LinearisedForces<1>;
+template class LinearisedForces<2>;
+
+}  // namespace tlsph

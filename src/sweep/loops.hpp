@@ -1,0 +1,128 @@
+#pragma once
+/// \file
+/// The inner loops of a sweep (tlsph/sweep/sweep.hpp), compiled once an instruction set and
+/// picked when the program starts. Plain arrays only: a source that is compiled for AVX-512 must
+/// not instantiate anything that the rest of the program might link to.
+///
+/// Fields of a body are interleaved as everywhere, x_q = (x_1 … x_D). What lives at material points
+/// is kept by direction, one interleaved array a derivative: H_a = ∂u/∂X_a at out[a], and P_a
+/// likewise, so that every product is a sum of shifted arrays, vectorised across rows and
+/// components alike.
+
+#include <cstddef>
+
+#include "tlsph/materials/law_list.hpp"
+#include "tlsph/operators/row_run.hpp"
+
+namespace tlsph::sweep {
+
+using Index = std::ptrdiff_t;  // tlsph::Index, without its header
+
+/// The weights of an operator's rows: of its stencils, and of the rows without one (found by row).
+struct RowWeights {
+  const int* stencil_start = nullptr;
+  const int* offset = nullptr;
+  const double* stencil_weight = nullptr;
+  const int* reach = nullptr;
+  const Index* row_start = nullptr;
+  const int* column = nullptr;
+  const double* weight = nullptr;        ///< of general rows, or
+  const float* weight_single = nullptr;  ///< these
+  const double* row_scale = nullptr;     ///< factor of a general row, where there is one
+};
+
+/// Consecutive runs, cut to the rows wanted.
+struct Runs {
+  const RowRun* run = nullptr;
+  Index count = 0;
+};
+
+/// Rows `base` … stand at the start of the arrays.
+struct Window {
+  double* const* direction = nullptr;
+  Index base = 0;
+};
+
+/// Numbers of a block: D of its diagonal, and in 2D what each component gives to the other.
+template <int D>
+inline constexpr int block_weights = D* D;
+
+/// The block rows of a stiffness (stiffness.hpp); all of them have a stencil.
+struct BlockWeights {
+  const int* stencil_start = nullptr;
+  const int* offset = nullptr;  ///< from the row
+  const double* weight = nullptr;
+  const int* mixed = nullptr;  ///< entries of a stencil, its first, with more than a diagonal
+  const int* reach = nullptr;
+};
+
+/// What makes velocities and places of accelerations; arrays of the whole body.
+struct Motion {
+  double kick = 0.0, dt = 0.0;
+  double* v = nullptr;
+  double* u = nullptr;
+  const double* rows = nullptr;  ///< to be taken off the acceleration from row `rows_base` on
+  Index rows_base = 0;
+  double body_force[2] = {0.0, 0.0};  ///< acceleration
+};
+
+/// Overruns: loops write up to `overrun` doubles beyond the last row of their output, which must
+/// have room for them, and read as far beyond the inputs that are windows.
+inline constexpr Index overrun = 32;
+
+/// The inner loops of a law. Each takes the law's text (tlsph/materials/law.hpp) first.
+struct LawLoops {
+  using Points = bool (*)(const void* law, const RowWeights&, Runs, const double* u, Index size,
+                          Window out);
+  /// H of `count` points becomes P, in place. False where det F ≤ 0 or a stress is not finite.
+  bool (*stress)(const void* law, double* const* field, Index first, Index count);
+  /// H = G u and P of rows; out holds P and, with modes, their rows. False as above.
+  Points points, points_and_modes;
+  /// dP = ∂P/∂F : dH of `count` points.
+  void (*tangent)(const void* law, const double* const* H, const double* const* dH,
+                  double* const* dP, Index count);
+  /// max λ_max(∂P/∂F at H − ∂P/∂F at `before`) of `count` points, at most that [Pa]; zero if no
+  /// eigenvalue is positive.
+  double (*stiffening)(const void* law, const double* const* H, const float* const* before,
+                       Index count);
+};
+
+template <int D>
+struct Loops {
+  /// out_a[row] = Σ_k w^a_k u[column_k]; `size` doubles in u.
+  void (*gradient)(const RowWeights&, Runs, const double* u, Index size, Window out);
+  /// The same with one direction more.
+  void (*gradient_and_modes)(const RowWeights&, Runs, const double* u, Index size, Window out);
+  /// out[row] = Σ_a Σ_k w^a_k P_a[column_k].
+  void (*divergence)(const RowWeights&, Runs, Window P, double* out, Index out_base);
+  void (*divergence_and_modes)(const RowWeights&, Runs, Window P, double* out, Index out_base);
+  /// The same for accelerations that move their rows: v += kick a, u += dt v; the largest |v|.
+  double (*move)(const RowWeights&, Runs, Window P, const Motion&);
+  double (*move_with_modes)(const RowWeights&, Runs, Window P, const Motion&);
+  /// out[row] = Σ_k w_k (x[column_k] − x[row]).
+  void (*differences)(const RowWeights&, Runs, const double* x, Index size, double* out,
+                      Index out_base);
+  LawLoops laws[laws::Listed<D>::size];  ///< in the order of the list
+  /// max ‖H − H₀‖² ‖F⁻¹‖² of `count` points, H₀ = `before`.
+  double (*deformation)(const double* const* H, const float* const* before, Index count);
+  /// `count` rounds of independent fused multiply-adds on registers; their number, and a sum so
+  /// that nobody leaves them out.
+  Index (*multiply_adds)(Index count, double& sum);
+  /// a −= r.
+  void (*subtract)(Index size, const double* r, double* a);
+  /// out[row] = Σ_k B_k (u[row + offset_k] − u[row]) + body force of the rows of some runs, then of
+  /// patches in them; false where one is not finite.
+  bool (*accelerations)(const BlockWeights&, Runs, Runs patches, const double* u, Index size,
+                        const double* body_force, double* out, Index out_base);
+  /// As `move`, of rows whose accelerations are those of `Motion::rows`.
+  double (*move_on)(Runs, const Motion&);
+};
+
+/// Sets of instructions the loops are compiled for.
+enum class Level { baseline, avx2, avx512 };
+/// The widest that this processor has.
+[[nodiscard]] Level widest_level();
+template <int D>
+[[nodiscard]] const Loops<D>& loops(Level level);
+
+}  // namespace tlsph::sweep
