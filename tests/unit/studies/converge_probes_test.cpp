@@ -5,6 +5,7 @@
 
 #include "converge_study.hpp"
 #include "read_history.hpp"
+#include "tlsph/analysis/history.hpp"
 #include "tlsph/scene/reader.hpp"
 #include "tlsph/simulation/simulation.hpp"
 
