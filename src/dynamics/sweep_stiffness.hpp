@@ -17,7 +17,7 @@
 #include "sweep_plan.hpp"
 #include "sweep_region_laws.hpp"
 #include "sweep_storage.hpp"
-#include "tlsph/dynamics/discretisation.hpp"
+#include "tlsph/formulations/discretisation.hpp"
 
 namespace tlsph::sweep {
 
