@@ -3,7 +3,7 @@
 /// A body at small strains, solved instead of stepped: displacements at rest, and the lowest
 /// natural frequency, of the operators that a run of the scene would use.
 
-#include "tlsph/dynamics/discretisation.hpp"
+#include "tlsph/formulations/discretisation.hpp"
 #include "tlsph/linear/factorization.hpp"
 
 namespace tlsph {

@@ -3,7 +3,7 @@
 /// How far a long wave in the lattice of particles lags behind one in the bar.
 
 #include "tlsph/curves/curve.hpp"
-#include "tlsph/dynamics/discretisation.hpp"
+#include "tlsph/formulations/discretisation.hpp"
 
 namespace tlsph {
 

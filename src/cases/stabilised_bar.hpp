@@ -2,7 +2,7 @@
 /// \file
 /// The stabiliser that makes a bar fourth order.
 
-#include "tlsph/dynamics/discretisation.hpp"
+#include "tlsph/formulations/discretisation.hpp"
 
 namespace tlsph {
 

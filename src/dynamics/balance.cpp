@@ -190,13 +190,10 @@ double elastic_energy(const Discretisation<D>& disc, const State<D>& state) {
   for (const Region<D>& region : disc.regions)
     std::visit(
         [&](const auto& law) {
-          const auto at = [&](Index s) {
+          for (Index k = 0; k < region.size(state.H.rows()); ++k) {
+            const Index s = region.point(k);
             energy += disc.points.V[s] * law.energy(tensor_at<D>(state.H, s));
-          };
-          if (region.points.empty())
-            for (Index s = 0; s < state.H.rows(); ++s) at(s);
-          else
-            for (const int s : region.points) at(s);
+          }
         },
         region.law);
   return energy + stabiliser_energy<D>(disc, state.u);

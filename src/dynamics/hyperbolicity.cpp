@@ -13,28 +13,21 @@
 namespace tlsph {
 namespace {
 
-/// The material point behind the k-th of a region.
-template <int D>
-Index point_at(const Region<D>& region, Index k) {
-  return region.points.empty() ? k : region.points[static_cast<std::size_t>(k)];
-}
-
 /// Looks at all points of a region, and closer only if one of them is beyond the limit.
 template <int D, class Law>
 void look_at(const Region<D>& region, const Law& law, const State<D>& state,
              std::optional<UnstablePoint<D>>& worst) {
   const auto tangent_at = [&](Index k) {
-    return law.tangent(tensor_at<D>(state.H, point_at<D>(region, k)));
+    return law.tangent(tensor_at<D>(state.H, region.point(k)));
   };
-  const Index count =
-      region.points.empty() ? state.H.rows() : static_cast<Index>(region.points.size());
+  const Index count = region.size(state.H.rows());
   const double unstable =
       sum_rows(count, [&](Index k) { return is_hyperbolic<D>(tangent_at(k)) ? 0.0 : 1.0; });
   if (unstable == 0.0) return;
   for (Index k = 0; k < count; ++k) {
     const double eigenvalue = smallest_acoustic_eigenvalue<D>(tangent_at(k));
     if (eigenvalue <= 0.0 && (!worst || eigenvalue < worst->acoustic_eigenvalue))
-      worst = {point_at<D>(region, k), eigenvalue, Vector<D>::Zero()};
+      worst = {region.point(k), eigenvalue, Vector<D>::Zero()};
   }
 }
 

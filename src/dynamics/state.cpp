@@ -48,9 +48,7 @@ double apply_law(const Region<D>& region, const TensorField<D>& H, TensorField<D
           return law.margin(tensor_at<D>(H, s)) > 0.0 ? stress(0, 0)
                                                       : std::numeric_limits<double>::quiet_NaN();
         };
-        if (region.points.empty()) return sum_rows(H.rows(), at);
-        return sum_rows(static_cast<Index>(region.points.size()),
-                        [&](Index k) { return at(region.points[static_cast<std::size_t>(k)]); });
+        return sum_rows(region.size(H.rows()), [&](Index k) { return at(region.point(k)); });
       },
       region.law);
 }
@@ -134,10 +132,7 @@ void report_failure(const Discretisation<D>& disc, const State<D>& state) {
     smallest = lost ? -std::numeric_limits<double>::infinity() : here;
   };
   for (const Region<D>& region : disc.regions)
-    if (region.points.empty())
-      for (Index s = 0; s < state.H.rows(); ++s) look_at(region, s);
-    else
-      for (const int s : region.points) look_at(region, s);
+    for (Index k = 0; k < region.size(state.H.rows()); ++k) look_at(region, region.point(k));
   const std::string where = place_of<D>(disc, worst);
   const AnyLaw<D>& law = disc.regions[region_of<D>(disc, worst)].law;
   const Tensor<D> H = tensor_at<D>(state.H, worst);

@@ -13,15 +13,11 @@ namespace {
 template <int D>
 std::vector<Tangent<D>> tangents(const Discretisation<D>& disc, const TensorField<D>& H) {
   std::vector<Tangent<D>> A(static_cast<std::size_t>(H.rows()));
-  for (const Region<D>& region : disc.regions) {
-    const auto at = [&](Index s) {
+  for (const Region<D>& region : disc.regions)
+    for (Index k = 0; k < region.size(H.rows()); ++k) {
+      const Index s = region.point(k);
       A[static_cast<std::size_t>(s)] = tangent<D>(region.law, tensor_at<D>(H, s));
-    };
-    if (region.points.empty())
-      for (Index s = 0; s < H.rows(); ++s) at(s);
-    else
-      for (const int s : region.points) at(s);
-  }
+    }
   return A;
 }
 

@@ -11,7 +11,9 @@
 #include "parts.hpp"
 
 namespace tlsph {
+namespace {
 
+/// Axis a patch is perpendicular to. InputError if it is no straight axis-aligned edge.
 template <int D>
 int normal_axis(const Patch<D>& patch, const Place& place) {
   int axis = -1;
@@ -34,8 +36,23 @@ int normal_axis(const Patch<D>& patch, const Place& place) {
   return axis;
 }
 
-template int normal_axis<1>(const Patch<1>&, const Place&);
-template int normal_axis<2>(const Patch<2>&, const Place&);
+}  // namespace
+
+template <int D>
+std::vector<Condition> conditions_on(const Patch<D>& patch, const BoundaryScene& entry) {
+  return conditions_of(entry, entry.symmetry ? normal_axis<D>(patch, entry.place) : unknown_axis);
+}
+
+template <int D>
+Load load_of(const Patch<D>& patch, const Condition& condition) {
+  return condition.across ? normal_traction<D>(patch, *condition.curve)
+                          : component_traction<D>(patch, condition.component, *condition.curve);
+}
+
+template std::vector<Condition> conditions_on<1>(const Patch<1>&, const BoundaryScene&);
+template std::vector<Condition> conditions_on<2>(const Patch<2>&, const BoundaryScene&);
+template Load load_of<1>(const Patch<1>&, const Condition&);
+template Load load_of<2>(const Patch<2>&, const Condition&);
 
 namespace parts {
 namespace {
@@ -86,7 +103,7 @@ bool is_zero(const Curve& curve) {
 
 /// What becomes of a degree of freedom; `curve` moves it.
 struct Prescription {
-  enum class Kind { fixed, held, moved } kind = Kind::fixed;
+  Condition::Kind kind = Condition::Kind::fixed;
   std::size_t curve = 0;
   [[nodiscard]] bool operator==(const Prescription&) const = default;
 };
@@ -96,29 +113,27 @@ class ConstraintList {
  public:
   explicit ConstraintList(const Particles<D>& particles) : particles_(particles) {}
 
-  void fix(const Patch<D>& patch, int component, const BoundaryScene& by) {
-    set(patch, component, {Prescription::Kind::fixed}, by);
-  }
-  void hold(const Patch<D>& patch, int component, const BoundaryScene& by) {
-    set(patch, component, {Prescription::Kind::held}, by);
-  }
-  void move(const Patch<D>& patch, int component, const Curve& curve, const BoundaryScene& by) {
-    if (is_zero(curve)) return fix(patch, component, by);
-    list_.curves.push_back(curve);
-    set(patch, component, {Prescription::Kind::moved, list_.curves.size() - 1}, by);
+  /// What a condition that is no load does to the nodes of its patch.
+  void add(const Patch<D>& patch, const Condition& condition, const BoundaryScene& by) {
+    Prescription prescription{condition.kind};
+    if (condition.kind == Condition::Kind::moved) {
+      if (is_zero(*condition.curve)) {
+        prescription.kind = Condition::Kind::fixed;
+      } else {
+        prescription.curve = list_.curves.size();
+        list_.curves.push_back(*condition.curve);
+      }
+    }
+    for (const int node : patch.nodes) set(node, condition.component, prescription, by);
   }
   [[nodiscard]] Constraints finish() {
-    for (const auto& [dof, entry] : prescribed_) switch (entry.prescription.kind) {
-        case Prescription::Kind::fixed:
-          list_.fixed.push_back(dof);
-          break;
-        case Prescription::Kind::held:
-          list_.held.push_back(dof);
-          break;
-        case Prescription::Kind::moved:
-          list_.moved.push_back({dof, entry.prescription.curve});
-          break;
-      }
+    for (const auto& [dof, entry] : prescribed_)
+      if (entry.prescription.kind == Condition::Kind::fixed)
+        list_.fixed.push_back(dof);
+      else if (entry.prescription.kind == Condition::Kind::held)
+        list_.held.push_back(dof);
+      else
+        list_.moved.push_back({dof, entry.prescription.curve});
     return std::move(list_);
   }
 
@@ -128,10 +143,6 @@ class ConstraintList {
     const BoundaryScene* by = nullptr;
   };
 
-  void set(const Patch<D>& patch, int component, const Prescription& prescription,
-           const BoundaryScene& by) {
-    for (const int node : patch.nodes) set(node, component, prescription, by);
-  }
   void set(int node, int component, const Prescription& prescription, const BoundaryScene& by) {
     const Index dof = Index{node} * D + component;
     const auto [entry, fresh] = prescribed_.try_emplace(dof, Entry{prescription, &by});
@@ -151,6 +162,22 @@ class ConstraintList {
   std::map<Index, Entry> prescribed_;
 };
 
+/// Refuses what a patch cannot carry.
+template <int D>
+void check_patch(const Patch<D>& patch, const Condition& condition, const BoundaryScene& by) {
+  const bool loaded = condition.kind == Condition::Kind::loaded;
+  if (loaded && patch.faces.empty())
+    throw InputError(
+        by.place,
+        fmt::format("\"{}\" holds particles but no part of the boundary; it can be held or "
+                    "moved, not loaded",
+                    patch.name));
+  if (!loaded && patch.nodes.empty())
+    throw InputError(by.place, fmt::format("\"{}\" holds a part of the boundary but no particle; "
+                                           "it can be loaded, not held or moved",
+                                           patch.name));
+}
+
 }  // namespace
 
 template <int D>
@@ -160,43 +187,22 @@ void add_conditions(const Scene& scene, Discretisation<D>& disc) {
   std::set<std::pair<std::string, int>> booked;  // reactions of these patches and components
   for (const BoundaryScene& boundary : scene.boundaries) {
     const Patch<D>& patch = patch_of<D>(particles, boundary);
-    const bool constrained = !boundary.fixed.empty() || !boundary.held.empty() ||
-                             boundary.symmetry || !boundary.motion.empty();
-    if (constrained && patch.nodes.empty())
+    if (boundary.symmetry && particles.placement == NodePlacement::cell_centred)
       throw InputError(boundary.place,
-                       fmt::format("\"{}\" holds a part of the boundary but no particle; it can be "
-                                   "loaded, not held or moved",
-                                   patch.name));
-    for (const int component : boundary.fixed) constraints.fix(patch, component, boundary);
-    for (const int component : boundary.held) constraints.hold(patch, component, boundary);
-    if (boundary.symmetry) {
-      if (particles.placement == NodePlacement::cell_centred)
-        throw InputError(boundary.place,
-                         "symmetry needs particles on the boundary; use body.placement = "
-                         "\"on-boundary\"");
-      constraints.fix(patch, normal_axis<D>(patch, boundary.place), boundary);
+                       "symmetry needs particles on the boundary; use body.placement = "
+                       "\"on-boundary\"");
+    for (const Condition& condition : conditions_on<D>(patch, boundary)) {
+      check_patch<D>(patch, condition, boundary);
+      if (condition.kind == Condition::Kind::loaded) {
+        disc.loads.push_back(load_of<D>(patch, condition));
+        continue;
+      }
+      constraints.add(patch, condition, boundary);
+      const int i = condition.component;
+      if (!disc.adjoint && condition.kind == Condition::Kind::fixed &&
+          booked.insert({boundary.where, i}).second)
+        std::ranges::copy(reaction_terms<D>(patch, i), std::back_inserter(disc.reactions));
     }
-    for (const ComponentCurve& motion : boundary.motion)
-      constraints.move(patch, motion.component, motion.curve, boundary);
-    if (!disc.adjoint) {
-      std::set<int> held(boundary.fixed.begin(), boundary.fixed.end());
-      if (boundary.symmetry) held.insert(normal_axis<D>(patch, boundary.place));
-      for (const int component : held)
-        if (booked.insert({boundary.where, component}).second)
-          std::ranges::copy(reaction_terms<D>(patch, component),
-                            std::back_inserter(disc.reactions));
-    }
-    const bool loaded = boundary.normal_traction || !boundary.traction.empty();
-    if (loaded && patch.faces.empty())
-      throw InputError(
-          boundary.place,
-          fmt::format("\"{}\" holds particles but no part of the boundary; it can be held or "
-                      "moved, not loaded",
-                      patch.name));
-    if (boundary.normal_traction)
-      disc.loads.push_back(normal_traction<D>(patch, *boundary.normal_traction));
-    for (const ComponentCurve& traction : boundary.traction)
-      disc.loads.push_back(component_traction<D>(patch, traction.component, traction.curve));
   }
   disc.constraints = constraints.finish();
   for (std::size_t a = 0; a < scene.body_force.size(); ++a)

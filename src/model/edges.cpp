@@ -1,13 +1,11 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <string>
 #include <string_view>
-#include <type_traits>
-#include <variant>
 
 #include "parts.hpp"
 #include "tlsph/materials/uniaxial.hpp"
+#include "tlsph/scene/conditions.hpp"
 #include "tlsph/scene/names.hpp"
 
 namespace tlsph::parts {
@@ -15,20 +13,6 @@ namespace {
 
 constexpr std::array<std::array<std::string_view, 2>, 2> edge_names = {
     {{"left", "right"}, {"bottom", "top"}}};
-
-Curve negated(Curve curve) {
-  std::visit(
-      [](auto& form) {
-        if constexpr (std::is_same_v<std::decay_t<decltype(form)>, TableCurve>) {
-          for (double& v : form.value) v = -v;
-          for (double& v : form.curvature) v = -v;
-        } else {
-          form.amplitude = -form.amplitude;
-        }
-      },
-      curve);
-  return curve;
-}
 
 /// The strain of the load must exist at all times; a coarse walk along the curve finds out before
 /// the run does.
@@ -56,33 +40,28 @@ Edge<D> read_edge(const Scene& scene, std::string_view name, int b, Discretisati
     disc.signals.push_back({curve, kind, material_at<D>(scene, at, 1e-9 * disc.particles.spacing)});
     return disc.signals.size() - 1;
   };
-  const auto prescribe = [&](int component) {
-    edge.prescribed[static_cast<std::size_t>(component)] = true;
-  };
+  const double outward = name == edge_names[static_cast<std::size_t>(b)][0] ? -1.0 : 1.0;
   for (const BoundaryScene& boundary : scene.boundaries) {
     if (boundary.where != name) continue;
-    for (const int component : boundary.fixed) prescribe(component);
-    if (boundary.symmetry) prescribe(b);
-    for (const ComponentCurve& motion : boundary.motion) {
-      prescribe(motion.component);
-      edge.displacement[static_cast<std::size_t>(motion.component)] =
-          signal(motion.curve, Signal::Kind::value);
-    }
-    std::optional<Curve> load = boundary.normal_traction;
-    for (const ComponentCurve& traction : boundary.traction) {
-      if (traction.component != b)
-        throw InputError(boundary.place,
-                         fmt::format("formulation \"{}\" takes loads normal to an edge only; use "
-                                     "{} for tangential ones",
-                                     name_of(scene.formulation), adjoint_formulations()));
-      // A vector along the axis pulls at the upper edge and pushes at the lower one.
-      const bool lower = name == edge_names[static_cast<std::size_t>(b)][0];
-      load = lower ? negated(traction.curve) : traction.curve;
-    }
-    if (load) {
-      refuse_unreachable<D>(scene, disc, *load, boundary);
-      edge.traction = signal(*load, Signal::Kind::value);
-      edge.gradient = signal(*load, Signal::Kind::uniaxial_gradient);
+    for (const Condition& condition : conditions_of(boundary, b)) {
+      const auto i = static_cast<std::size_t>(condition.component);
+      switch (condition.kind) {
+        case Condition::Kind::moved:
+          edge.displacement[i] = signal(*condition.curve, Signal::Kind::value);
+          [[fallthrough]];
+        case Condition::Kind::fixed:
+          edge.prescribed[i] = true;
+          break;
+        case Condition::Kind::loaded: {
+          const Curve load = tension(condition, outward);
+          refuse_unreachable<D>(scene, disc, load, boundary);
+          edge.traction = signal(load, Signal::Kind::value);
+          edge.gradient = signal(load, Signal::Kind::uniaxial_gradient);
+          break;
+        }
+        case Condition::Kind::held:  // no formulation with edges takes it
+          break;
+      }
     }
   }
   int free = 0;
@@ -115,23 +94,6 @@ void refuse_tangential_strain(const Scene& scene, const Edges<2>& edges) {
 
 template <int D>
 Edges<D> build_edges(const Scene& scene, Discretisation<D>& disc) {
-  if (!disc.particles.frame)
-    throw InputError(scene.formulation_place,
-                     fmt::format("\"{}\" needs an undisturbed interval or box of particles on the "
-                                 "boundary; for other bodies use {}",
-                                 name_of(scene.formulation), adjoint_formulations()));
-  for (const BoundaryScene& boundary : scene.boundaries) {
-    bool known = false;
-    for (std::size_t b = 0; b < D; ++b)
-      for (const std::string_view name : edge_names[b]) known = known || boundary.where == name;
-    if (!known)
-      throw InputError(
-          boundary.place,
-          fmt::format("formulation \"{}\" knows whole edges only ({}); \"{}\" is none of "
-                      "them",
-                      name_of(scene.formulation),
-                      D == 1 ? "left, right" : "left, right, bottom, top", boundary.where));
-  }
   Edges<D> edges;
   for (int b = 0; b < D; ++b)
     for (std::size_t side = 0; side < 2; ++side)

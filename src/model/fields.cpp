@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "parts.hpp"
 #include "tlsph/exact/bar_wave.hpp"
 #include "tlsph/exact/named_fields.hpp"
@@ -10,6 +8,8 @@
 
 namespace tlsph {
 namespace {
+
+using Kind = Condition::Kind;
 
 template <int D>
 Box<D> body_box(const Scene& scene) {
@@ -95,20 +95,6 @@ void start_regions(const Scene& scene, const Particles<D>& particles, InitialSta
   }
 }
 
-/// The boundary entry on an end of the body that satisfies a condition, nullptr if none.
-template <class Condition>
-const BoundaryScene* boundary_on(const Scene& scene, const char* where,
-                                 const Condition& condition) {
-  for (const BoundaryScene& boundary : scene.boundaries)
-    if (boundary.where == where && condition(boundary)) return &boundary;
-  return nullptr;
-}
-
-bool holds_x(const BoundaryScene& boundary) {
-  return boundary.symmetry ||
-         std::find(boundary.fixed.begin(), boundary.fixed.end(), 0) != boundary.fixed.end();
-}
-
 template <int D>
 ExactSolution<D> bar_wave_of(const Scene& scene, const Discretisation<D>& disc) {
   const Box<D> box = body_box<D>(scene);
@@ -119,18 +105,13 @@ ExactSolution<D> bar_wave_of(const Scene& scene, const Discretisation<D>& disc) 
   bar.modulus = A(0, 0);
   if constexpr (D == 2) bar.lateral_modulus = A(3, 0);
   bar.density = disc.regions.front().density;
-  const auto loaded = [](const BoundaryScene& boundary) {
-    return boundary.normal_traction.has_value();
-  };
-  const BoundaryScene* left = boundary_on(scene, "left", loaded);
-  const BoundaryScene* right = boundary_on(scene, "right", loaded);
-  if ((left == nullptr) == (right == nullptr))
-    throw InputError(
-        scene.exact_place,
-        "\"bar-wave\" needs a normal traction on exactly one of \"left\" and \"right\"");
-  bar.traction = *(left != nullptr ? left : right)->normal_traction;
-  bar.loaded = left != nullptr ? BarWave::Side::lower : BarWave::Side::upper;
-  const bool fixed = boundary_on(scene, left != nullptr ? "right" : "left", holds_x) != nullptr;
+  const PatchConditions left(scene, "left"), right(scene, "right");
+  const Condition* pull = left.find(Kind::loaded, 0);  // the rules of a scene leave one of the two
+  const bool lower = pull != nullptr;
+  if (!lower) pull = right.find(Kind::loaded, 0);
+  bar.traction = tension(*pull, lower ? -1.0 : 1.0);
+  bar.loaded = lower ? BarWave::Side::lower : BarWave::Side::upper;
+  const bool fixed = (lower ? right : left).has(Kind::fixed, 0);
   bar.far_end = fixed ? BarWave::Support::fixed : BarWave::Support::free;
   return bar_wave<D>(bar);
 }
@@ -139,18 +120,13 @@ template <int D>
 ExactSolution<D> uniform_stretch_of(const Scene& scene, const Discretisation<D>& disc) {
   const Box<D> box = body_box<D>(scene);
   const double length = box.upper[0] - box.lower[0];
-  for (const bool right : {true, false})
-    for (const BoundaryScene& boundary : scene.boundaries) {
-      if (boundary.where != (right ? "right" : "left")) continue;
-      for (const ComponentCurve& motion : boundary.motion)
-        if (motion.component == 0)
-          return uniform_stretch<D>(
-              {right ? box.lower[0] : box.upper[0], right ? length : -length, motion.curve},
-              disc.regions.front().law);
-    }
-  throw InputError(
-      scene.exact_place,
-      "\"uniform-stretch\" needs a prescribed displacement x of \"right\" or \"left\"");
+  const PatchConditions left(scene, "left"), right(scene, "right");
+  const Condition* moved = right.find(Kind::moved, 0);  // the rules leave one of the two at least
+  const bool upper = moved != nullptr;
+  if (!upper) moved = left.find(Kind::moved, 0);
+  return uniform_stretch<D>(
+      {upper ? box.lower[0] : box.upper[0], upper ? length : -length, *moved->curve},
+      disc.regions.front().law);
 }
 
 }  // namespace

@@ -76,12 +76,12 @@ void add_materials(const Scene& scene, Discretisation<D>& disc) {
     if (scene.materials.size() > 1) region.points = std::move(members[k]);
     disc.regions.push_back(std::move(region));
   }
-  if (scene.formulation == Formulation::stress_point)
+  if (is_collocated(scene.formulation))
+    disc.mass = density.cwiseProduct(disc.particles.V);
+  else
     disc.mass = scene.materials.size() == 1
                     ? ScalarField(scene.materials[0].density * disc.particles.V)
                     : masses_by_cell<D>(scene, disc.particles, disc.points);
-  else
-    disc.mass = density.cwiseProduct(disc.particles.V);
 }
 
 template std::size_t material_at<1>(const Scene&, const Vector<1>&, double);

@@ -41,14 +41,12 @@ double machine_bytes() {
 
 double operator_bytes(const Scene& scene, double particles) {
   const int d = scene.dimension;
-  const bool stress_points = scene.formulation == Formulation::stress_point;
+  const bool stress_points = !is_collocated(scene.formulation);
   const bool cells = stress_points && !scene.kernel.support;
   const double support = scene.kernel.support.value_or(0.0);
   double neighbours = 1 << d;
   if (!cells) neighbours = d == 1 ? 2.0 * support : std::numbers::pi * support * support;
-  const bool per_component =
-      scene.formulation == Formulation::mirror || scene.formulation == Formulation::thesis;
-  const double weights = per_component ? d * d : d;
+  const double weights = is_adjoint(scene.formulation) ? d : d * d;  // or one a component
   // A cloud has a point per edge of its triangles.
   const double points = stress_points && d == 2 && scene.body.is_cloud() ? 3.0 : 1.0;
   const double row = 8.0 + points * neighbours * (4.0 + 8.0 * weights);

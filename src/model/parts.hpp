@@ -2,7 +2,7 @@
 /// \file
 /// The parts `build` is made of; not for other rooms.
 
-#include "tlsph/boundary/extension.hpp"
+#include "tlsph/formulations/extension.hpp"
 #include "tlsph/model/builder.hpp"
 
 namespace tlsph::parts {

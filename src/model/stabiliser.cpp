@@ -14,11 +14,8 @@ namespace {
 /// means.
 constexpr double auto_cell_stiffness = 4.0 / 3.0;  // of E/(1−ν²): exact bending of a rectangle
 constexpr double auto_pair_stiffness = 0.1;        // of μ
-/// The same where gradients are of order two and have an exact adjoint: their pair errors vanish on
-/// quadratic fields, and irregular particles need it.
-constexpr double auto_consistent_stiffness = 0.3;
-constexpr double auto_viscosity = 0.4;            // of ρ c_s Δ
-constexpr double auto_viscosity_quadratic = 0.2;  // the same beside gradients of order two
+constexpr double auto_viscosity = 0.4;             // of ρ c_s Δ
+constexpr double auto_viscosity_quadratic = 0.2;   // the same beside gradients of order two
 
 /// E/(1−ν²) in plane strain, E in plane stress: the modulus of a fibre that bends.
 double bending_modulus(const MaterialScene& material) {
@@ -42,8 +39,7 @@ double automatic(const Scene& scene) {
   if (scene.stabiliser.action == StabiliserAction::viscosity)
     return quadratic ? auto_viscosity_quadratic : auto_viscosity;
   if (scene.stabiliser.kind == StabiliserKind::cell) return auto_cell_stiffness;
-  return quadratic && scene.formulation == Formulation::consistent ? auto_consistent_stiffness
-                                                                   : auto_pair_stiffness;
+  return quadratic ? traits_of(scene.formulation).pair_beside_quadratic : auto_pair_stiffness;
 }
 
 template <int D>
@@ -67,27 +63,15 @@ template <int D>
 void add_stabiliser(const Scene& scene, Discretisation<D>& disc) {
   const StabiliserScene& stabiliser = scene.stabiliser;
   if (stabiliser.kind == StabiliserKind::none) return;
-  if (!disc.adjoint)
-    throw InputError(stabiliser.place, "a stabiliser goes with formulation = " +
-                                           adjoint_formulations() + "; use kind = \"none\"");
   SparseMatrix S;
   if (stabiliser.kind == StabiliserKind::cell) {
     if constexpr (D == 2) {
-      if (scene.formulation != Formulation::stress_point || scene.kernel.support)
-        throw InputError(stabiliser.place,
-                         "kind = \"cell\" goes with formulation \"stress-point\" on the nodes of a "
-                         "cell (no kernel.support); use \"pair\" or \"none\"");
       ScalarField modulus = strengths<2>(scene, disc, disc.points.X);
       if (stabiliser.action == StabiliserAction::stiffness) {
         disc.hourglass = {hourglass_weights(disc.particles, disc.gradient), std::move(modulus)};
         return;
       }
       S = normal_matrix(hourglass_rows(disc.particles, disc.gradient), modulus);
-    } else {
-      throw InputError(
-          stabiliser.place,
-          "kind = \"cell\" is for two dimensions: a cell of two nodes has no hourglass; "
-          "use \"none\"");
     }
   } else {
     const auto narrow =

@@ -8,27 +8,21 @@
 
 #include "tlsph/core/dimensions.hpp"
 #include "tlsph/geometry/region.hpp"
+#include "tlsph/scene/conditions.hpp"
 
 namespace tlsph {
 namespace {
 
-/// The axis a patch of a box (with or without holes) faces, −1 if it is not known before the nodes
-/// are.
-int normal_axis(const Scene& scene, const std::string& patch) {
-  const auto* sheet = std::get_if<Shape<2>>(&scene.body.shape);
-  if (sheet && !std::holds_alternative<Box<2>>(base_of(*sheet).form)) return -1;
-  if (patch == "left" || patch == "right") return 0;
-  if (patch == "top" || patch == "bottom") return 1;
-  return -1;
-}
-
 void check_ghosts(const Scene& scene, const TableView& root) {
-  if (scene.formulation != Formulation::thesis)
+  const auto has_ghosts = [](const FormulationTraits& row) {
+    return row.closure == Closure::ghosts;
+  };
+  if (!has_ghosts(traits_of(scene.formulation)))
     for (const char* name : {"boundary_treatment", "boundary_solver"})
       if (root.has(name))
         throw InputError(root.place_of(name),
-                         fmt::format("is for formulation = \"thesis\", not \"{}\"; leave it out",
-                                     name_of(scene.formulation)));
+                         fmt::format("is for formulation = \"{}\", not \"{}\"; leave it out",
+                                     formulations_where(has_ghosts), name_of(scene.formulation)));
   if (scene.ghosts == GhostClosure::eta && scene.dimension != 1)
     throw InputError(root.place_of("boundary_treatment"),
                      "the eta corrections exist in 1D only; allowed in 2D: consistent, as-printed");
@@ -37,50 +31,47 @@ void check_ghosts(const Scene& scene, const TableView& root) {
                      "the eta corrections factorise no matrix; leave it out");
 }
 
-/// The mirror extension reflects about straight, axis-aligned edges with loads normal to them.
-void check_mirror(const Scene& scene) {
-  if (scene.formulation != Formulation::mirror) return;
-  if (!is_box(scene))
-    throw InputError(scene.formulation_place,
-                     "mirror reflects about straight, axis-aligned edges: the shape must be an "
-                     "interval or a box; other shapes: " +
-                         adjoint_formulations());
-  for (const auto& boundary : scene.boundaries)
-    for (const auto& load : boundary.traction)
-      if (load.component != normal_axis(scene, boundary.where))
-        throw InputError(
-            boundary.place,
-            "mirror takes loads normal to the edge only; shear loads: " + adjoint_formulations());
-}
-
-/// Formulations with ghosts know one displacement for a whole edge.
-void check_held(const Scene& scene) {
+/// Fields that go on beyond a box know one displacement for each side, and loads normal to it.
+void check_sides(const Scene& scene) {
   if (is_adjoint(scene.formulation)) return;
-  for (const auto& boundary : scene.boundaries)
-    if (!boundary.held.empty())
-      throw InputError(boundary.place,
-                       fmt::format("{} cannot keep an edge at an initial displacement that differs "
-                                   "from node to node; give displacement = {{ x = … }}, or use {}",
-                                   name_of(scene.formulation), adjoint_formulations()));
-}
-
-void check_kernel(const Scene& scene, const TableView& root) {
-  const TableView kernel = root.table("kernel");
-  const bool adjoint = is_adjoint(scene.formulation);
-  if (!adjoint && scene.kernel.correction != Correction::none)
-    throw InputError(kernel.place_of("correction"),
-                     fmt::format("{} uses plain SPH sums; allowed: none (corrected gradients: "
-                                 "variational)",
-                                 name_of(scene.formulation)));
+  const auto refuse = [&](const Place& place, std::string_view what) {
+    throw InputError(
+        place, fmt::format("{} {}: {}", name_of(scene.formulation), what, adjoint_formulations()));
+  };
+  if (!is_box(scene))
+    refuse(scene.formulation_place,
+           "reflects about straight, axis-aligned edges: the shape must be an interval or a box, "
+           "undisturbed; other shapes");
+  for (const BoundaryScene& entry : scene.boundaries) {
+    const int axis = patch_axis(scene, entry.where);
+    if (axis == unknown_axis)
+      refuse(entry.place, "knows whole edges only, left, right, bottom and top; parts of them");
+    for (const Condition& condition : conditions_of(entry, axis)) {
+      if (condition.kind == Condition::Kind::held)
+        refuse(entry.place,
+               "cannot keep an edge at an initial displacement that differs from node to node; "
+               "give displacement = { x = … }, or use another formulation");
+      if (condition.kind == Condition::Kind::loaded && condition.component != axis)
+        refuse(entry.place, "takes loads normal to the edge only; shear loads");
+    }
+  }
 }
 
 /// Gradients of degree two are least-squares fits over a support.
-void check_order(const Scene& scene, const TableView& root) {
+void check_kernel(const Scene& scene, const TableView& root) {
+  const TableView kernel = root.table("kernel");
+  const auto refuse_sums = [&](const char* key, std::string_view allowed, std::string_view others) {
+    if (is_adjoint(scene.formulation)) return;
+    throw InputError(
+        kernel.place_of(key),
+        fmt::format("{} uses plain SPH sums; allowed: {} ({}: {})", name_of(scene.formulation),
+                    allowed, others, adjoint_formulations()));
+  };
+  if (scene.kernel.correction != Correction::none)
+    refuse_sums("correction", "none", "corrected gradients");
   if (scene.kernel.order == 1) return;
-  const Place place = root.table("kernel").place_of("order");
-  if (!is_adjoint(scene.formulation))
-    throw InputError(place, fmt::format("{} uses plain SPH sums; allowed: 1 (order 2: {})",
-                                        name_of(scene.formulation), adjoint_formulations()));
+  refuse_sums("order", "1", "order 2");
+  const Place place = kernel.place_of("order");
   if (scene.kernel.correction != Correction::least_squares)
     throw InputError(place, fmt::format("the correction \"{}\" is exact for linear fields only; "
                                         "allowed: 1 (order 2: least-squares)",
@@ -91,35 +82,37 @@ void check_order(const Scene& scene, const TableView& root) {
 
 void check_consistency(const Scene& scene) {
   if (!scene.consistency) return;
-  const Place& place = scene.consistency->place;
-  if (!is_adjoint(scene.formulation))
-    throw InputError(place, fmt::format("{} has no adjoint to make exact; leave it out, or use "
-                                        "formulation = \"consistent\"",
-                                        name_of(scene.formulation)));
-  if (scene.formulation == Formulation::variational)
-    throw InputError(place,
-                     "variational gradients stay as they are; a corrected one is "
-                     "formulation = \"consistent\"");
-  if (scene.formulation == Formulation::stress_point &&
-      (scene.consistency->rows != 1 || scene.consistency->columns != 0))
-    throw InputError(place,
-                     "stress points are corrected to degrees [1, 0]; higher ones: "
-                     "formulation = \"consistent\"");
+  const FormulationTraits& traits = traits_of(scene.formulation);
+  const auto refuse = [&](const std::string& what) {
+    throw InputError(scene.consistency->place,
+                     fmt::format("{} {} formulation = \"{}\"", traits.name, what,
+                                 formulations_where([](const FormulationTraits& row) {
+                                   return row.corrected == Corrected::always;
+                                 })));
+  };
+  if (traits.closure != Closure::natural)
+    refuse("has no adjoint to make exact; leave it out, or use");
+  if (traits.corrected == Corrected::never)
+    refuse("gradients stay as they are; a corrected one is");
+  const auto [rows, columns] = traits.highest;
+  if (scene.consistency->rows > rows || scene.consistency->columns > columns)
+    refuse(fmt::format("is corrected to degrees [{}, {}]; higher ones:", rows, columns));
 }
 
 void check_placement(const Scene& scene, const TableView& root) {
   const TableView body = root.table("body");
-  if (scene.formulation == Formulation::variational) return;
-  const auto name = name_of(scene.formulation);
-  if (scene.body.placement == NodePlacement::cell_centred)
+  const FormulationTraits& traits = traits_of(scene.formulation);
+  if (scene.body.placement == NodePlacement::cell_centred && traits.nodes != NodeSites::anywhere)
     throw InputError(body.place_of("placement"),
                      fmt::format("{} needs nodes on the boundary; allowed: on-boundary "
-                                 "(cell-centred nodes: variational)",
-                                 name));
-  if (scene.body.jitter > 0.0 && !is_adjoint(scene.formulation))
+                                 "(cell-centred nodes: {})",
+                                 traits.name, formulations_where([](const FormulationTraits& row) {
+                                   return row.nodes == NodeSites::anywhere;
+                                 })));
+  if (scene.body.jitter > 0.0 && traits.nodes == NodeSites::lattice)
     throw InputError(body.place_of("jitter"),
                      fmt::format("{} needs nodes on a lattice; allowed: 0 (irregular nodes: {})",
-                                 name, adjoint_formulations()));
+                                 traits.name, adjoint_formulations()));
 }
 
 void check_stabiliser(const Scene& scene, const TableView& root) {
@@ -134,10 +127,13 @@ void check_stabiliser(const Scene& scene, const TableView& root) {
     return;
   }
   if (scene.stabiliser.kind == StabiliserKind::cell) {
-    if (scene.formulation != Formulation::stress_point || scene.dimension != 2)
-      throw InputError(place,
-                       "cell holds the hourglass mode of one stress point per cell: it needs "
-                       "formulation = \"stress-point\" in 2D; allowed here: none, pair");
+    if (is_collocated(scene.formulation) || scene.dimension != 2)
+      throw InputError(place, fmt::format("cell holds the hourglass mode of one stress point per "
+                                          "cell: it needs formulation = \"{}\" in 2D; allowed "
+                                          "here: none, pair",
+                                          formulations_where([](const FormulationTraits& row) {
+                                            return row.sites == StressSites::cells;
+                                          })));
     if (scene.kernel.support)
       throw InputError(place,
                        "cell goes with the gradient over the nodes of each cell; leave "
@@ -197,52 +193,55 @@ void check_positions_in(const Scene& scene) {
                                    tag.name, whole));
 }
 
-/// What one entry demands of one component.
-enum class Claim { held, kept, moved, loaded };
-
-struct Claims {
-  std::array<const BoundaryScene*, 2> by = {nullptr, nullptr};
-  std::array<Claim, 2> kind = {Claim::held, Claim::held};
-  const BoundaryScene* normal_load = nullptr;
+/// The condition that rules a component of a patch so far, and whose it is.
+struct Claim {
+  const BoundaryScene* by = nullptr;
+  Condition condition;
 };
+/// Of the components of a patch; the last is the one across it where its axis is not known.
+using Claims = std::array<Claim, 3>;
 
-std::string words(Claim claim, const char* component) {
-  switch (claim) {
-    case Claim::held:
-      return fmt::format("holds {} at zero", component);
-    case Claim::kept:
-      return fmt::format("keeps {} where it starts", component);
-    case Claim::moved:
-      return fmt::format("moves {}", component);
-    default:
-      return fmt::format("loads {}", component);
+std::string words(const Condition& condition) {
+  using Kind = Condition::Kind;
+  if (condition.across && condition.kind == Kind::fixed)
+    return "by symmetry holds the normal displacement";
+  const std::string_view name =
+      condition.component == unknown_axis
+          ? "the normal component"
+          : std::string_view("xy").substr(static_cast<std::size_t>(condition.component), 1);
+  switch (condition.kind) {
+    case Kind::fixed:
+      return fmt::format("holds {} at zero", name);
+    case Kind::held:
+      return fmt::format("keeps {} where it starts", name);
+    case Kind::moved:
+      return fmt::format("moves {}", name);
+    case Kind::loaded:
+      break;
   }
+  return fmt::format("loads {}", name);
 }
 
-void claim(Claims& claims, const BoundaryScene& entry, int component, Claim kind) {
-  const auto c = static_cast<std::size_t>(component);
-  const char* name = component == 0 ? "x" : "y";
-  const BoundaryScene* other = claims.by[c];
-  if (other && !(claims.kind[c] == Claim::held && kind == Claim::held))
+void claim(Claims& claims, const BoundaryScene& entry, const Condition& condition) {
+  const bool known = condition.component != unknown_axis;
+  Claim& now = claims[known ? static_cast<std::size_t>(condition.component) : 2];
+  const auto fixes = [](const Condition& c) { return c.kind == Condition::Kind::fixed; };
+  if (now.by && !(fixes(now.condition) && fixes(condition)))
     throw InputError(
         entry.place,
-        fmt::format("contradiction on \"{}\": {} {}, and {} {}; one condition for each "
-                    "component",
-                    entry.where, other == &entry ? "this entry" : other->place.key,
-                    words(claims.kind[c], name), other == &entry ? "also" : "this entry",
-                    words(kind, name)));
-  claims.by[c] = &entry;
-  claims.kind[c] = kind;
+        fmt::format("contradiction on \"{}\": {} {}, and {} {}; one condition for each component",
+                    entry.where, now.by == &entry ? "this entry" : now.by->place.key,
+                    words(now.condition), now.by == &entry ? "also" : "this entry",
+                    words(condition)));
+  now = {&entry, condition};
 }
 
 }  // namespace
 
 void check_formulation(const Scene& scene, const TableView& root) {
   check_ghosts(scene, root);
-  check_mirror(scene);
-  check_held(scene);
+  check_sides(scene);
   check_kernel(scene, root);
-  check_order(scene, root);
   check_consistency(scene);
   check_placement(scene, root);
   check_stabiliser(scene, root);
@@ -254,34 +253,18 @@ void check_positions(const Scene& scene) {
 
 void check_boundaries(const Scene& scene) {
   std::map<std::string, Claims> patches;
-  for (const auto& entry : scene.boundaries) {
-    Claims& claims = patches[entry.where];
-    const int normal = normal_axis(scene, entry.where);
-    for (const int component : entry.fixed) claim(claims, entry, component, Claim::held);
-    for (const int component : entry.held) claim(claims, entry, component, Claim::kept);
-    if (entry.symmetry && normal >= 0) claim(claims, entry, normal, Claim::held);
-    for (const auto& motion : entry.motion) claim(claims, entry, motion.component, Claim::moved);
-    for (const auto& load : entry.traction) claim(claims, entry, load.component, Claim::loaded);
-    if (!entry.normal_traction) continue;
-    if (entry.symmetry || claims.normal_load)
-      throw InputError(
-          entry.place,
-          fmt::format("contradiction on \"{}\": a normal traction, but {}; one "
-                      "condition for each component",
-                      entry.where,
-                      entry.symmetry ? "symmetry holds the normal displacement"
-                                     : claims.normal_load->place.key + " gives one too"));
-    claims.normal_load = &entry;
-    if (normal >= 0) claim(claims, entry, normal, Claim::loaded);
-  }
+  for (const BoundaryScene& entry : scene.boundaries)
+    for (const Condition& condition : conditions_of(entry, patch_axis(scene, entry.where)))
+      claim(patches[entry.where], entry, condition);
   // Where the normal is not known yet, a normal load still needs a component that is free to move.
   for (const auto& [where, claims] : patches) {
-    const auto constrained = [&, n = claims](std::size_t c) {
-      return n.by[c] && n.kind[c] != Claim::loaded;
-    };
-    if (claims.normal_load && constrained(0) && (scene.dimension == 1 || constrained(1)))
+    const auto loaded = [](const Claim& c) { return c.condition.kind == Condition::Kind::loaded; };
+    const auto constrained = [&](const Claim& c) { return c.by && !loaded(c); };
+    const Claim& across = claims[2];
+    if (across.by && loaded(across) && constrained(claims[0]) &&
+        (scene.dimension == 1 || constrained(claims[1])))
       throw InputError(
-          claims.normal_load->place,
+          across.by->place,
           fmt::format("contradiction on \"{}\": a traction where every component of the "
                       "displacement is given",
                       where));

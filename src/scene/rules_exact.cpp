@@ -5,39 +5,12 @@
 #include <cmath>
 
 #include "rules.hpp"
+#include "tlsph/scene/conditions.hpp"
 
 namespace tlsph {
 namespace {
 
-/// All a scene says about one patch.
-struct PatchSummary {
-  bool held_x = false, held_y = false, moved_x = false, moved = false;
-  bool loaded_x = false;  // normal to a left or right patch
-  bool loaded = false;
-};
-
-PatchSummary summary(const Scene& scene, const std::string& where) {
-  PatchSummary patch;
-  const bool faces_x = where == "left" || where == "right";
-  for (const auto& entry : scene.boundaries) {
-    if (entry.where != where) continue;
-    for (const int component : entry.fixed) (component == 0 ? patch.held_x : patch.held_y) = true;
-    if (entry.symmetry) (faces_x ? patch.held_x : patch.held_y) = true;
-    for (const auto& motion : entry.motion) {
-      patch.moved = true;
-      if (motion.component == 0) patch.moved_x = true;
-    }
-    if (entry.normal_traction) {
-      patch.loaded = true;
-      if (faces_x) patch.loaded_x = true;
-    }
-    for (const auto& load : entry.traction) {
-      patch.loaded = true;
-      if (load.component == 0) patch.loaded_x = true;
-    }
-  }
-  return patch;
-}
+using Kind = Condition::Kind;
 
 class Needs {
  public:
@@ -64,6 +37,13 @@ bool only_box_patches(const Scene& scene) {
   });
 }
 
+template <class Test>
+bool all_conditions(const Scene& scene, const Test& test) {
+  return std::ranges::all_of(scene.boundaries, [&](const BoundaryScene& entry) {
+    return std::ranges::all_of(conditions_of(entry, patch_axis(scene, entry.where)), test);
+  });
+}
+
 void check_one_material(const Scene& scene, const Needs& needs) {
   needs(scene.materials.size() == 1, "one material all over the body");
   needs(std::all_of(scene.body_force.begin(), scene.body_force.end(),
@@ -77,16 +57,20 @@ void check_bar_wave(const Scene& scene) {
   needs(is_box(scene), "an interval, or a box in 2D");
   needs(only_box_patches(scene), "conditions on left, right, top and bottom only");
   needs(starts_at_rest(scene), "zero initial displacement and velocity");
-  const auto left = summary(scene, "left");
-  const auto right = summary(scene, "right");
-  needs(!left.moved && !right.moved, "no prescribed motion");
-  needs(left.loaded_x != right.loaded_x, "a traction on exactly one of left and right");
-  for (const auto& entry : scene.boundaries)
-    for (const auto& load : entry.traction) needs(load.component == 0, "loads along x only");
+  const PatchConditions left(scene, "left"), right(scene, "right");
+  needs(!left.has(Kind::moved) && !right.has(Kind::moved), "no prescribed motion");
+  needs(left.has(Kind::loaded, 0) != right.has(Kind::loaded, 0),
+        "a traction on exactly one of left and right");
+  needs(all_conditions(scene,
+                       [](const Condition& c) {
+                         return c.kind != Kind::loaded || c.across || c.component == 0;
+                       }),
+        "loads along x only");
   if (scene.dimension == 1) return;
   for (const char* side : {"top", "bottom"}) {
-    const auto patch = summary(scene, side);
-    needs(patch.held_y && !patch.held_x && !patch.loaded && !patch.moved,
+    const PatchConditions patch(scene, side);
+    needs(patch.has(Kind::fixed, 1) && !patch.has(Kind::fixed, 0) && !patch.has(Kind::loaded) &&
+              !patch.has(Kind::moved),
           "symmetry on top and bottom, so that the wave is plane");
   }
 }
@@ -108,10 +92,10 @@ void check_swinging_plate(const Scene& scene) {
   needs(scene.velocity.kind == InitialField::Kind::zero, "zero initial velocity");
   needs(only_box_patches(scene), "conditions on left, right, top and bottom only");
   for (const char* side : {"left", "right", "top", "bottom"}) {
-    const auto patch = summary(scene, side);
+    const PatchConditions patch(scene, side);
     const bool hold_x = std::string(side) == "left" || std::string(side) == "top";
-    needs(!patch.loaded && !patch.moved, "no loads and no prescribed motion");
-    needs(patch.held_x == hold_x && patch.held_y != hold_x,
+    needs(!patch.has(Kind::loaded) && !patch.has(Kind::moved), "no loads and no prescribed motion");
+    needs(patch.has(Kind::fixed, 0) == hold_x && patch.has(Kind::fixed, 1) != hold_x,
           "x fixed on left and top, y fixed on bottom and right");
   }
 }
@@ -120,13 +104,15 @@ void check_uniform_stretch(const Scene& scene) {
   const Needs needs(scene);
   check_one_material(scene, needs);
   needs(is_box(scene), "an interval, or a box in 2D");
-  const auto left = summary(scene, "left");
-  const auto right = summary(scene, "right");
-  needs(left.moved_x || right.moved_x, "displacement of x prescribed on left or right");
-  needs((left.moved_x || left.held_x) && (right.moved_x || right.held_x),
-        "both left and right held or moved in x");
-  for (const auto& entry : scene.boundaries)
-    needs(!entry.normal_traction && entry.traction.empty(), "no loads");
+  const PatchConditions left(scene, "left"), right(scene, "right");
+  const auto moves = [](const PatchConditions& side) { return side.has(Kind::moved, 0); };
+  const auto given = [&](const PatchConditions& side) {
+    return moves(side) || side.has(Kind::fixed, 0);
+  };
+  needs(moves(left) || moves(right), "displacement of x prescribed on left or right");
+  needs(given(left) && given(right), "both left and right held or moved in x");
+  needs(all_conditions(scene, [](const Condition& c) { return c.kind != Kind::loaded; }),
+        "no loads");
 }
 
 void check_initial(const InitialField& field, const Scene& scene) {
@@ -149,8 +135,7 @@ void check_exact(const Scene& scene) {
   if (scene.exact != ExactKind::none) {
     const Needs needs(scene);
     needs(scene.initial_regions.empty(), "one initial state all over the body");
-    needs(std::all_of(scene.boundaries.begin(), scene.boundaries.end(),
-                      [](const auto& entry) { return entry.held.empty(); }),
+    needs(all_conditions(scene, [](const Condition& c) { return c.kind != Kind::held; }),
           "fixed patches in place of held ones");
   }
   switch (scene.exact) {

@@ -33,14 +33,15 @@ template <int D>
 std::vector<LoadedPatch> loaded_patches(const Scene& scene, const Discretisation<D>& disc) {
   std::vector<LoadedPatch> loads;
   for (const BoundaryScene& boundary : scene.boundaries) {
-    if (!boundary.normal_traction && boundary.traction.empty()) continue;
     const Patch<D>& patch = *disc.particles.find(boundary.where);
     Vector<D> sum = Vector<D>::Zero();
-    if (boundary.normal_traction)
-      sum += resultant<D>(normal_traction<D>(patch, *boundary.normal_traction));
-    for (const ComponentCurve& traction : boundary.traction)
-      sum += resultant<D>(component_traction<D>(patch, traction.component, traction.curve));
-    loads.push_back({boundary.where, patch_extent(patch), {sum.begin(), sum.end()}});
+    bool loaded = false;
+    for (const Condition& condition : conditions_on<D>(patch, boundary)) {
+      if (condition.kind != Condition::Kind::loaded) continue;
+      sum += resultant<D>(load_of<D>(patch, condition));
+      loaded = true;
+    }
+    if (loaded) loads.push_back({boundary.where, patch_extent(patch), {sum.begin(), sum.end()}});
   }
   return loads;
 }

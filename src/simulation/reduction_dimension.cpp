@@ -4,28 +4,27 @@
 #include <algorithm>
 
 #include "reduction_parts.hpp"
+#include "tlsph/scene/conditions.hpp"
 #include "tlsph/simulation/reduction.hpp"
 
 namespace tlsph {
 namespace {
 
+using Kind = Condition::Kind;
+
 bool slides(const Scene& scene, const std::string& side) {
-  bool held_y = false;
-  for (const BoundaryScene& entry : scene.boundaries) {
-    if (entry.where != side) continue;
-    const auto fixes = [&](int c) {
-      return std::ranges::find(entry.fixed, c) != entry.fixed.end();
-    };
-    if (fixes(0) || !entry.held.empty() || !entry.motion.empty() || is_loaded(entry)) return false;
-    held_y = held_y || entry.symmetry || fixes(1);
-  }
-  return held_y;
+  const PatchConditions conditions(scene, side);
+  return conditions.has(Kind::fixed, 1) && !conditions.has(Kind::fixed, 0) &&
+         !conditions.has(Kind::held) && !conditions.has(Kind::moved) &&
+         !conditions.has(Kind::loaded);
 }
 
 /// Left and right do to the body what they may do in 1D.
 bool acts_along_x(const BoundaryScene& entry) {
-  return entry.held.empty() && entry.traction.empty() &&
-         std::ranges::all_of(entry.motion, [](const auto& m) { return m.component == 0; });
+  return std::ranges::all_of(conditions_of(entry, 0), [](const Condition& c) {
+    return c.kind == Kind::fixed || (c.kind == Kind::moved && c.component == 0) ||
+           (c.kind == Kind::loaded && c.across);
+  });
 }
 
 bool depends_on_x_only(const InitialField& field) {

@@ -8,10 +8,13 @@
 #include "reduction_parts.hpp"
 #include "tlsph/curves/curve.hpp"
 #include "tlsph/geometry/region.hpp"
+#include "tlsph/scene/conditions.hpp"
 #include "tlsph/simulation/reduction.hpp"
 
 namespace tlsph {
 namespace {
+
+using Kind = Condition::Kind;
 
 constexpr std::array<std::array<const char*, 2>, 2> sides = {
     {{"left", "right"}, {"bottom", "top"}}};
@@ -37,7 +40,7 @@ struct Action {
 };
 
 /// `outward`: the sign of the outer normal.
-Action action_of(const Scene& scene, const std::string& side, int axis, double outward) {
+Action action_of(const Scene& scene, const std::string& side, double outward) {
   constexpr std::size_t instants = 97;
   Action action;
   for (auto* histories : {&action.motion[0], &action.motion[1], &action.load[0], &action.load[1]})
@@ -46,16 +49,13 @@ Action action_of(const Scene& scene, const std::string& side, int axis, double o
     for (std::size_t k = 0; k < instants; ++k)
       history[k] += factor * value(curve, scene.time.end * static_cast<double>(k) / (instants - 1));
   };
-  for (const BoundaryScene& entry : scene.boundaries) {
-    if (entry.where != side) continue;
-    for (const int c : entry.fixed) action.held[static_cast<std::size_t>(c)] = true;
-    if (entry.symmetry) action.held[static_cast<std::size_t>(axis)] = true;
-    for (const ComponentCurve& m : entry.motion)
-      add(action.motion[static_cast<std::size_t>(m.component)], m.curve);
-    for (const ComponentCurve& t : entry.traction)
-      add(action.load[static_cast<std::size_t>(t.component)], t.curve);
-    if (entry.normal_traction)
-      add(action.load[static_cast<std::size_t>(axis)], *entry.normal_traction, outward);
+  const PatchConditions conditions(scene, side);
+  for (const Condition& condition : conditions.all()) {
+    const auto c = static_cast<std::size_t>(condition.component);
+    if (condition.kind == Kind::fixed) action.held[c] = true;
+    if (condition.kind == Kind::moved) add(action.motion[c], *condition.curve);
+    if (condition.kind == Kind::loaded)
+      add(action.load[c], *condition.curve, condition.across ? outward : 1.0);
   }
   return action;
 }
@@ -73,19 +73,22 @@ bool equal(const std::vector<double>& a, const std::vector<double>& b, double si
 bool mirrored_conditions(const Scene& scene, const Mirror& mirror) {
   const auto normal = static_cast<std::size_t>(mirror.axis);
   const std::size_t along = 1 - normal;
-  const Action low = action_of(scene, sides[normal][0], mirror.axis, -1.0);
-  const Action high = action_of(scene, sides[normal][1], mirror.axis, 1.0);
+  const Action low = action_of(scene, sides[normal][0], -1.0);
+  const Action high = action_of(scene, sides[normal][1], 1.0);
   if (low.held != high.held) return false;
   for (const auto& [a, b] : {std::pair(low.motion, high.motion), std::pair(low.load, high.load)})
     if (!equal(a[normal], b[normal], -1.0) || !equal(a[along], b[along], 1.0)) return false;
   return std::ranges::all_of(scene.boundaries, [&](const BoundaryScene& entry) {
-    if (entry.where == sides[normal][0] || entry.where == sides[normal][1])
-      return entry.held.empty();
-    const bool cut_in_two =
-        entry.where == sides[along][0] || entry.where == sides[along][1] || entry.where == "hole";
-    const auto acts_across = [&](const ComponentCurve& c) { return c.component == mirror.axis; };
-    return cut_in_two && entry.held.empty() && std::ranges::none_of(entry.motion, acts_across) &&
-           std::ranges::none_of(entry.traction, acts_across);
+    const auto conditions = conditions_of(entry, patch_axis(scene, entry.where));
+    const auto acts_across = [&](const Condition& c) {
+      return c.component == mirror.axis && !c.across && c.kind != Kind::fixed;
+    };
+    const auto is = [&](const char* patch) { return entry.where == patch; };
+    if (std::ranges::find(conditions, Kind::held, &Condition::kind) != conditions.end())
+      return false;
+    if (std::ranges::any_of(sides[normal], is)) return true;
+    return (std::ranges::any_of(sides[along], is) || entry.where == "hole") &&
+           std::ranges::none_of(conditions, acts_across);
   });
 }
 

@@ -2,10 +2,6 @@
 
 namespace tlsph {
 
-bool is_loaded(const BoundaryScene& entry) {
-  return entry.normal_traction.has_value() || !entry.traction.empty();
-}
-
 bool is_plain(const Scene& scene) {
   return scene.dimension == 2 && !scene.body.is_cloud() && scene.body.jitter == 0.0 &&
          scene.body.tags.empty() && scene.initial_regions.empty();

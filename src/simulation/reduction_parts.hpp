@@ -6,9 +6,6 @@
 
 namespace tlsph {
 
-/// The patch carries a load.
-[[nodiscard]] bool is_loaded(const BoundaryScene& entry);
-
 /// A body of 2D on a lattice that is what its shape says: no points of a file, no rows shifted, no
 /// random shifts, no patches by name, no parts that start differently.
 [[nodiscard]] bool is_plain(const Scene& scene);

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "tlsph/dynamics/discretisation.hpp"
+#include "tlsph/formulations/discretisation.hpp"
 #include "tlsph/scene/scene.hpp"
 
 namespace tlsph::savings {

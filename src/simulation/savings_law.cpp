@@ -9,6 +9,7 @@
 #include "tlsph/core/dimensions.hpp"
 #include "tlsph/curves/curve.hpp"
 #include "tlsph/geometry/region.hpp"
+#include "tlsph/scene/conditions.hpp"
 #include "tlsph/scene/names.hpp"
 #include "tlsph/simulation/linear_law.hpp"
 #include "tlsph/simulation/reduction.hpp"
@@ -97,14 +98,13 @@ double strain_estimate(const Scene& scene) {
   strain += start / speed * ratio;
   // The slope at the tip of a cantilever under a load along it: 2 (L/H)³ p/E.
   const double bending = size.bends ? 2.0 * std::pow(ratio, 3) : 1.0;
-  for (const BoundaryScene& entry : scene.boundaries) {
-    if (entry.normal_traction)
-      strain += sudden * bending * largest(*entry.normal_traction, scene.time.end) / young;
-    for (const ComponentCurve& load : entry.traction)
-      strain += sudden * bending * largest(load.curve, scene.time.end) / young;
-    for (const ComponentCurve& motion : entry.motion)
-      strain += sudden * largest(motion.curve, scene.time.end) / (size.length / ratio);
-  }
+  for (const BoundaryScene& entry : scene.boundaries)
+    for (const Condition& condition : conditions_of(entry, unknown_axis)) {
+      if (condition.curve == nullptr) continue;
+      const double most = largest(*condition.curve, scene.time.end);
+      strain += condition.kind == Condition::Kind::loaded ? sudden * bending * most / young
+                                                          : sudden * most / (size.length / ratio);
+    }
   for (const double g : scene.body_force)
     strain += sudden * bending * std::abs(g) * density * size.length / ratio / young;
   return strain;

@@ -49,17 +49,16 @@ std::vector<std::string> start_jumps(const Scene& scene, const Discretisation<D>
           "stress of about {:.2g} Pa; {}",
           boundary.place.prefix(), key, target, size, stress_of<D>(disc, jump), cure));
     };
-    if (boundary.symmetry)
-      look_at(normal_axis<D>(*patch, boundary.place), "symmetry", 0.0,
-              "\"held\" stays where the body starts");
-    for (const int i : boundary.fixed)
-      look_at(i, fmt::format("fixed {}", "xy"[i]), 0.0, "\"held\" stays where the body starts");
-    for (const ComponentCurve& motion : boundary.motion) {
-      const int i = motion.component;
+    for (const Condition& condition : conditions_on<D>(*patch, boundary)) {
+      const int i = condition.component;
+      if (condition.kind == Condition::Kind::fixed)
+        look_at(i, condition.across ? "symmetry" : fmt::format("fixed {}", "xy"[i]), 0.0,
+                "\"held\" stays where the body starts");
+      if (condition.kind != Condition::Kind::moved) continue;
       const std::string key = fmt::format("displacement.{}", "xy"[i]);
-      look_at(i, key, value(motion.curve, 0.0),
+      look_at(i, key, value(*condition.curve, 0.0),
               "start the curve there, or give initial.displacement");
-      const double speed = rate(motion.curve, 0.0);
+      const double speed = rate(*condition.curve, 0.0);
       double jump = 0.0;
       for (const int q : patch->nodes)
         jump = std::max(jump, std::abs(speed - initial.velocity(q, i)));

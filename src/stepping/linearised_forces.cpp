@@ -57,15 +57,11 @@ void LinearisedForces<D>::product(const VectorField<D>& x, VectorField<D>& force
   for (const Region<D>& region : disc_.regions)
     std::visit(
         [&](const auto& law) {
-          const auto at = [&](Index s) {
+          for_rows(region.size(H_.rows()), [&](Index k) {
+            const Index s = region.point(k);
             const Tensor<D> dP = law.dpk1(tensor_at<D>(state_.H, s), tensor_at<D>(H_, s));
             Eigen::Map<Tensor<D>>(H_.data() + s * D * D) = dP;
-          };
-          if (region.points.empty())
-            for_rows(H_.rows(), at);
-          else
-            for_rows(static_cast<Index>(region.points.size()),
-                     [&](Index k) { at(region.points[static_cast<std::size_t>(k)]); });
+          });
         },
         region.law);
   for (const SignalTerm& term : disc_.stress_values) H_.data()[term.slot] = 0.0;

@@ -15,8 +15,7 @@ namespace {
 constexpr double usual_share = 0.9;
 
 bool is_adjoint(const ChartFamily& family) {
-  return family.formulation != name_of(Formulation::mirror) &&
-         family.formulation != name_of(Formulation::thesis);
+  return tlsph::is_adjoint(*from_name<Formulation>(family.formulation));
 }
 
 ChartFamily varied(const ChartFamily& family, bool linear, std::optional<double> share,

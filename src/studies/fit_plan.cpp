@@ -167,8 +167,7 @@ FitPlan plan_fit(const FitRequest& request) {
                   : request.quantity.empty() ? "worst of displacement, velocity and stress"
                                              : request.quantity;
   for (ChartFamily& family : chart_families(plan.dimension, {})) {
-    const bool ghosted = !is_adjoint(*from_name<Formulation>(family.formulation));
-    const char* kernel = ghosted ? "modified-mollifier" : "wendland-c2";
+    const std::string_view kernel = traits_of(*from_name<Formulation>(family.formulation)).kernel;
     if (family.distance <= variety && (family.kernel.empty() || family.kernel == kernel))
       plan.families.push_back(std::move(family));
   }

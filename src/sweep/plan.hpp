@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "tlsph/dynamics/discretisation.hpp"
+#include "tlsph/formulations/discretisation.hpp"
 #include "tlsph/operators/row_storage.hpp"
 
 namespace tlsph::sweep {

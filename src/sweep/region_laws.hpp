@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "loops.hpp"
-#include "tlsph/dynamics/discretisation.hpp"
+#include "tlsph/formulations/discretisation.hpp"
 
 namespace tlsph::sweep {
 

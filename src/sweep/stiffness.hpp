@@ -17,7 +17,7 @@
 #include "plan.hpp"
 #include "region_laws.hpp"
 #include "storage.hpp"
-#include "tlsph/dynamics/discretisation.hpp"
+#include "tlsph/formulations/discretisation.hpp"
 
 namespace tlsph::sweep {
 

@@ -9,7 +9,7 @@
 
 #include "loops.hpp"
 #include "plan.hpp"
-#include "tlsph/dynamics/discretisation.hpp"
+#include "tlsph/formulations/discretisation.hpp"
 #include "tlsph/operators/row_storage.hpp"
 
 namespace tlsph::sweep {

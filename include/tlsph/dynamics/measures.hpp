@@ -2,7 +2,7 @@
 /// \file
 /// Stress as an observer wants it: in the deformed configuration, and as scalars.
 
-#include "tlsph/dynamics/discretisation.hpp"
+#include "tlsph/formulations/discretisation.hpp"
 
 namespace tlsph {
 

@@ -4,7 +4,7 @@
 /// holds S as a matrix or by its hourglass modes, S = Aᵀ κ A. All sums are over differences of u:
 /// the rows of S sum to zero, and a body that has travelled far keeps its digits.
 
-#include "tlsph/dynamics/discretisation.hpp"
+#include "tlsph/formulations/discretisation.hpp"
 
 namespace tlsph {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tlsph/dynamics/discretisation.hpp"
+#include "tlsph/formulations/discretisation.hpp"
 
 namespace tlsph {
 

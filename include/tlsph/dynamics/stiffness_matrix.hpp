@@ -3,7 +3,7 @@
 /// The stiffness of a body as one sparse matrix: for solutions at rest and natural frequencies of
 /// the very operators a run steps with.
 
-#include "tlsph/dynamics/discretisation.hpp"
+#include "tlsph/formulations/discretisation.hpp"
 
 namespace tlsph {
 

@@ -2,8 +2,9 @@
 /// \file
 /// From what a scene says to what a run needs: particles, regions, conditions, operators.
 
-#include "tlsph/dynamics/discretisation.hpp"
 #include "tlsph/exact/exact.hpp"
+#include "tlsph/formulations/discretisation.hpp"
+#include "tlsph/scene/conditions.hpp"
 #include "tlsph/scene/scene.hpp"
 
 namespace tlsph {
@@ -37,9 +38,14 @@ template <int D>
 [[nodiscard]] ExactSolution<D> build_exact(const Scene& scene,
                                            const Discretisation<D>& discretisation);
 
-/// Axis a patch is perpendicular to. InputError if it is no straight axis-aligned edge.
+/// What an entry does to the patch it names; InputError for symmetry where that is no straight edge
+/// along an axis.
 template <int D>
-[[nodiscard]] int normal_axis(const Patch<D>& patch, const Place& place);
+[[nodiscard]] std::vector<Condition> conditions_on(const Patch<D>& patch,
+                                                   const BoundaryScene& entry);
+/// The forces of a condition that loads its patch.
+template <int D>
+[[nodiscard]] Load load_of(const Patch<D>& patch, const Condition& condition);
 
 /// Bytes a run of so many particles needs at its peak, an estimate by formulation and support: of
 /// its operators and fields, those that follow the step of a deforming body included, and of the

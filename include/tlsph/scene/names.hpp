@@ -22,11 +22,12 @@ struct Names;
 
 template <>
 struct Names<Formulation> {
-  static constexpr NameList<Formulation, 5> list = {{{"thesis", Formulation::thesis},
-                                                     {"mirror", Formulation::mirror},
-                                                     {"variational", Formulation::variational},
-                                                     {"consistent", Formulation::consistent},
-                                                     {"stress-point", Formulation::stress_point}}};
+  static constexpr auto list = [] {
+    NameList<Formulation, formulations.size()> result;
+    for (std::size_t k = 0; k < result.size(); ++k)
+      result[k] = {formulations[k].name, formulations[k].formulation};
+    return result;
+  }();
 };
 template <>
 struct Names<GhostClosure> {
@@ -125,17 +126,6 @@ template <class E>
   std::string text;
   for (const auto& [name, entry] : Names<E>::list)
     text.append(text.empty() ? "" : " | ").append(name);
-  return text;
-}
-
-/// The formulations with natural boundaries, D = −GᵀV: "a, b or c".
-[[nodiscard]] inline std::string adjoint_formulations() {
-  std::vector<std::string_view> names;
-  for (const auto& [name, formulation] : Names<Formulation>::list)
-    if (is_adjoint(formulation)) names.push_back(name);
-  std::string text(names.front());
-  for (std::size_t k = 1; k < names.size(); ++k)
-    text.append(k + 1 < names.size() ? ", " : " or ").append(names[k]);
   return text;
 }
 

@@ -12,9 +12,10 @@
 #include <variant>
 #include <vector>
 
-#include "tlsph/boundary/ghost_closure.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/curves/curve.hpp"
+#include "tlsph/formulations/formulation.hpp"
+#include "tlsph/formulations/ghost_closure.hpp"
 #include "tlsph/geometry/shape.hpp"
 #include "tlsph/linear/solver_choice.hpp"
 #include "tlsph/materials/any_law.hpp"
@@ -23,20 +24,10 @@
 
 namespace tlsph {
 
-enum class Formulation { thesis, mirror, variational, consistent, stress_point };
-/// D = −GᵀV, boundaries natural; the others extend the fields by ghosts.
-[[nodiscard]] constexpr bool is_adjoint(Formulation formulation) {
-  return formulation != Formulation::thesis && formulation != Formulation::mirror;
-}
-/// Stress at the nodes themselves.
-[[nodiscard]] constexpr bool is_collocated(Formulation formulation) {
-  return formulation != Formulation::stress_point;
-}
 /// Of the weights of G and D where particles are irregular; sums are always in double.
 enum class Precision { full, mixed };
 /// Of the nodes a body is filled with: rows and columns, or rows shifted by half a spacing.
 enum class Layout { square, hexagonal };
-enum class StabiliserKind { none, pair, cell };
 enum class StabiliserAction { stiffness, viscosity };
 enum class ExactKind { none, bar_wave, swinging_plate, uniform_stretch };
 

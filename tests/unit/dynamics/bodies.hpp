@@ -2,8 +2,8 @@
 /// \file
 /// Bars and sheets of a few cells with stress points at their centres, put together by hand.
 
-#include "tlsph/dynamics/discretisation.hpp"
 #include "tlsph/filling/lattice.hpp"
+#include "tlsph/formulations/discretisation.hpp"
 #include "tlsph/operators/gradients.hpp"
 #include "tlsph/particles/points.hpp"
 

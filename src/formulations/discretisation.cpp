@@ -1,4 +1,4 @@
-#include "tlsph/dynamics/discretisation.hpp"
+#include "tlsph/formulations/discretisation.hpp"
 
 #include <algorithm>
 #include <cmath>

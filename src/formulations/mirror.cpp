@@ -1,4 +1,4 @@
-#include "tlsph/boundary/mirror.hpp"
+#include "tlsph/formulations/mirror.hpp"
 
 #include <fmt/format.h>
 

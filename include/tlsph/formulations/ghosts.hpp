@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "tlsph/boundary/extension.hpp"
-#include "tlsph/boundary/ghost_closure.hpp"
+#include "tlsph/formulations/extension.hpp"
+#include "tlsph/formulations/ghost_closure.hpp"
 #include "tlsph/linear/factorization.hpp"
 #include "tlsph/operators/lattice_stencil.hpp"
 #include "tlsph/operators/vector_operator.hpp"
@@ -26,13 +26,26 @@ namespace tlsph {
 template <int D>
 class GhostGradient {
  public:
-  /// Scratch memory of one run.
+  /// What the factorisations write to, one each. A copy is without, and takes its own as it is
+  /// first used.
+  struct Scratch {
+    std::vector<SolveWorkspace> solves;
+    Scratch() = default;
+    Scratch(const Scratch&) {}
+    Scratch(Scratch&&) noexcept = default;
+    Scratch& operator=(Scratch other) noexcept {
+      solves.swap(other.solves);
+      return *this;
+    }
+    ~Scratch() = default;
+  };
+  /// The fields over nodes and ghosts of one evaluation, which the next one overwrites.
   struct Workspace {
     VectorField<D> u;       // all nodes
     VectorField<D> smooth;  // all nodes
     TensorField<D> strain;  // all nodes
     Eigen::VectorXd rhs, solution;
-    std::vector<SolveWorkspace> solves;
+    Scratch scratch;
   };
 
   GhostGradient(const LatticeStencil<D>& stencil, const Particles<D>& particles,
@@ -43,7 +56,8 @@ class GhostGradient {
   GhostGradient& operator=(const GhostGradient&) = delete;
 
   [[nodiscard]] Workspace workspace() const;
-  /// H (N×d²) at the real nodes from u (N×d) there and the signals. Takes nothing from the heap.
+  /// H (N×d²) at the real nodes from u (N×d) there and the signals. Takes nothing from the heap,
+  /// but for a workspace that is a copy, the first time.
   void apply(const VectorField<D>& u, const std::vector<double>& signals, TensorField<D>& H,
              Workspace& workspace) const;
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "tlsph/boundary/extension.hpp"
+#include "tlsph/formulations/extension.hpp"
 #include "tlsph/operators/lattice_stencil.hpp"
 #include "tlsph/operators/vector_operator.hpp"
 #include "tlsph/particles/ghosts.hpp"

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "tlsph/boundary/extension.hpp"
+#include "tlsph/formulations/extension.hpp"
 
 namespace tlsph {
 namespace {

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "tlsph/boundary/conditions.hpp"
-#include "tlsph/boundary/ghosts.hpp"
+#include "tlsph/formulations/conditions.hpp"
+#include "tlsph/formulations/ghosts.hpp"
 #include "tlsph/materials/any_law.hpp"
 #include "tlsph/operators/consistency.hpp"
 #include "tlsph/operators/stabilisers.hpp"
@@ -22,12 +22,20 @@
 
 namespace tlsph {
 
-/// Material points of one law. `points` empty: all of them.
+/// Material points of one law.
 template <int D>
 struct Region {
   AnyLaw<D> law;
-  double density = 0.0;  ///< [kg/m³]
-  std::vector<int> points;
+  double density = 0.0;     ///< [kg/m³]
+  std::vector<int> points;  ///< ascending; empty: all of the body
+
+  /// How many it has in a body of so many, and the k-th of them.
+  [[nodiscard]] Index size(Index all) const {
+    return points.empty() ? all : static_cast<Index>(points.size());
+  }
+  [[nodiscard]] Index point(Index k) const {
+    return points.empty() ? k : Index{points[static_cast<std::size_t>(k)]};
+  }
 };
 
 template <int D>

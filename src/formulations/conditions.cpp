@@ -1,4 +1,4 @@
-#include "tlsph/boundary/conditions.hpp"
+#include "tlsph/formulations/conditions.hpp"
 
 #include <map>
 

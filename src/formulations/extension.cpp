@@ -1,4 +1,4 @@
-#include "tlsph/boundary/extension.hpp"
+#include "tlsph/formulations/extension.hpp"
 
 #include <cassert>
 

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "reference_matrices.hpp"
-#include "tlsph/boundary/ghosts.hpp"
-#include "tlsph/boundary/mirror.hpp"
+#include "tlsph/formulations/ghosts.hpp"
+#include "tlsph/formulations/mirror.hpp"
 
 namespace tlsph {
 namespace {

@@ -1,4 +1,4 @@
-#include "tlsph/boundary/ghosts.hpp"
+#include "tlsph/formulations/ghosts.hpp"
 
 #include <fmt/format.h>
 
@@ -59,6 +59,14 @@ struct GhostGradient<D>::Impl {
     const bool coupled = closure == GhostClosure::consistent;
     systems.emplace_back(W, name, slot, std::move(nodes), std::move(target), coupled, solver,
                          place);
+  }
+
+  /// Of the displacements' systems, then of the strains'.
+  [[nodiscard]] std::vector<SolveWorkspace> solve_workspaces() const {
+    std::vector<SolveWorkspace> result;
+    for (const auto* systems : {&displacement, &strain})
+      for (const GhostSystem& system : *systems) result.push_back(system.workspace());
+    return result;
   }
 
   void close_displacements(const Edges<D>& edges, SolverChoice solver, const Place& place) {
@@ -189,10 +197,8 @@ typename GhostGradient<D>::Workspace GhostGradient<D>::workspace() const {
   work.strain = TensorField<D>::Zero(N, D * D);
   Index largest = 0;
   for (const auto* systems : {&impl_->displacement, &impl_->strain})
-    for (const GhostSystem& system : *systems) {
-      largest = std::max(largest, system.size());
-      work.solves.push_back(system.workspace());
-    }
+    for (const GhostSystem& system : *systems) largest = std::max(largest, system.size());
+  work.scratch.solves = impl_->solve_workspaces();
   work.rhs = Eigen::VectorXd::Zero(largest);
   work.solution = work.rhs;
   return work;
@@ -215,17 +221,17 @@ void GhostGradient<D>::apply(const VectorField<D>& u, const std::vector<double>&
       value += ghost.image.terms[k].weight * signals[ghost.image.terms[k].signal];
     work.u(ghost.ghost, ghost.component) = value;
   }
-  std::size_t scratch = 0;
+  if (work.scratch.solves.empty()) work.scratch.solves = self.solve_workspaces();
+  auto scratch = work.scratch.solves.begin();
   for (const GhostSystem& system : self.displacement)
-    system.solve(signals, work.u.data(), D, work.rhs, work.solution, work.solves[scratch++]);
+    system.solve(signals, work.u.data(), D, work.rhs, work.solution, *scratch++);
   multiply<D>(self.W, work.u, work.smooth);
   for (const GhostSystem& system : self.displacement)
     system.set_targets(signals, work.smooth.data(), D, work.smooth.rows());
 
   self.X.gradient(work.smooth, work.strain);
   for (const GhostSystem& system : self.strain)
-    system.solve(signals, work.strain.data(), D * D, work.rhs, work.solution,
-                 work.solves[scratch++]);
+    system.solve(signals, work.strain.data(), D * D, work.rhs, work.solution, *scratch++);
   // H = W strain on the real nodes, all components at once.
   for (Index p = 0; p < self.lattice.real; ++p) {
     double sum[D * D] = {};

@@ -3,7 +3,7 @@
 /// The `mirror` formulation: fields extended beyond the box by reflection, the ghosts eliminated
 /// into the matrices once. No ghosts at run time, order 2, tractions exact at the loaded particles.
 
-#include "tlsph/boundary/extension.hpp"
+#include "tlsph/formulations/extension.hpp"
 #include "tlsph/operators/lattice_stencil.hpp"
 #include "tlsph/operators/vector_operator.hpp"
 

@@ -11,7 +11,7 @@
 
 #include <array>
 
-#include "tlsph/boundary/conditions.hpp"
+#include "tlsph/formulations/conditions.hpp"
 #include "tlsph/particles/particles.hpp"
 
 namespace tlsph {
