@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "tlsph/analysis/not_known.hpp"
 
 namespace tlsph {
 
@@ -29,7 +30,7 @@ double growth_rate(std::span<const double> time, std::span<const double> values,
   while (first < values.size() && !(values[first] >= low)) ++first;
   std::size_t last = first;
   while (last < values.size() && values[last] < high) ++last;
-  if (last == values.size() || last - first < 3) return std::numeric_limits<double>::quiet_NaN();
+  if (last == values.size() || last - first < 3) return not_known;
   double t = 0.0, y = 0.0, tt = 0.0, ty = 0.0;
   const auto count = static_cast<double>(last - first);
   for (std::size_t k = first; k < last; ++k) {

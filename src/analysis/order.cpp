@@ -4,10 +4,10 @@
 #include <cassert>
 #include <cmath>
 
+#include "tlsph/analysis/not_known.hpp"
+
 namespace tlsph {
 namespace {
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 bool usable(double value) {
   return std::isfinite(value) && value > 0.0;
@@ -15,7 +15,7 @@ bool usable(double value) {
 
 /// y = c + p x by least squares.
 struct Line {
-  double slope = unknown, intercept = unknown, standard_error = unknown;
+  double slope = not_known, intercept = not_known, standard_error = not_known;
 };
 
 Line fit_line(std::span<const double> x, std::span<const double> y) {
@@ -66,7 +66,7 @@ LogDifference log_difference(double h, double g, double p) {
 std::vector<double> pairwise_orders(std::span<const double> spacing,
                                     std::span<const double> error) {
   assert(spacing.size() == error.size());
-  std::vector<double> orders(error.size(), unknown);
+  std::vector<double> orders(error.size(), not_known);
   for (std::size_t k = 1; k < error.size(); ++k)
     if (usable(error[k - 1]) && usable(error[k]))
       orders[k] = std::log(error[k - 1] / error[k]) / std::log(spacing[k - 1] / spacing[k]);
@@ -129,7 +129,7 @@ OrderFit fit_order_of_differences(std::span<const double> spacing,
 
 std::vector<double> pairwise_orders_of_differences(std::span<const double> spacing,
                                                    std::span<const double> difference) {
-  std::vector<double> orders(spacing.size(), unknown);
+  std::vector<double> orders(spacing.size(), not_known);
   for (std::size_t k = 2; k < spacing.size(); ++k)
     orders[k] =
         fit_order_of_differences(spacing.subspan(k - 2, 3), difference.subspan(k - 2, 2)).order;
@@ -138,7 +138,7 @@ std::vector<double> pairwise_orders_of_differences(std::span<const double> spaci
 
 double richardson_error(double difference, double ratio, double order) {
   assert(ratio > 1.0);
-  if (!(order > 0.0)) return unknown;
+  if (!(order > 0.0)) return not_known;
   return difference / std::expm1(order * std::log(ratio));
 }
 

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "run_loop.hpp"
-#include "stopwatch.hpp"
+#include "tlsph/core/stopwatch.hpp"
 #include "tlsph/dynamics/hyperbolicity.hpp"
 
 namespace tlsph {

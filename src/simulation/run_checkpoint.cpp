@@ -6,7 +6,7 @@
 
 #include "flat.hpp"
 #include "run_loop.hpp"
-#include "stopwatch.hpp"
+#include "tlsph/core/stopwatch.hpp"
 #include "tlsph/io/check_sum.hpp"
 
 namespace tlsph {

@@ -9,9 +9,9 @@
 
 #include "in_scene.hpp"
 #include "parts.hpp"
-#include "stopwatch.hpp"
 #include "tlsph/core/parallel.hpp"
 #include "tlsph/core/stop.hpp"
+#include "tlsph/core/stopwatch.hpp"
 #include "tlsph/observe/errors.hpp"
 #include "tlsph/scene/names.hpp"
 

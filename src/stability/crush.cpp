@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -12,6 +11,7 @@
 
 #include "tlsph/core/dimensions.hpp"
 #include "tlsph/core/error.hpp"
+#include "tlsph/core/stopwatch.hpp"
 #include "tlsph/dynamics/step_follower.hpp"
 #include "tlsph/materials/kinematics.hpp"
 #include "tlsph/model/builder.hpp"
@@ -21,12 +21,6 @@ namespace {
 
 constexpr double stretch = 0.2;
 constexpr long compare_every = 3;  ///< steps between comparisons with the true limit
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point begin) {
-  return std::chrono::duration<double>(Clock::now() - begin).count();
-}
 
 /// The right edge moves in at `speed` [m/s], from one instant to the next.
 Scene crushing(const Subject& subject, const Method& method, double speed) {
@@ -84,13 +78,13 @@ void crush(const Subject& subject, const Method& method, Motion motion, double s
   start<D>(disc, state, dt);
   try {
     while (state.time < scene.time.end) {
-      auto begin = Clock::now();
+      double begin = Stopwatch::now();
       if (!sweep) evaluate<D>(disc, state);
-      stepping += seconds_since(begin);
+      stepping += Stopwatch::now() - begin;
       if (follow == Follow::follower) {
-        begin = Clock::now();
+        begin = Stopwatch::now();
         if (follower.follow(state)) dt = follower.step();
-        following += seconds_since(begin);
+        following += Stopwatch::now() - begin;
       }
       if (compare && state.step % compare_every == 0) {
         if (sweep) evaluate<D>(disc, state);
@@ -98,14 +92,14 @@ void crush(const Subject& subject, const Method& method, Motion motion, double s
           row.closest = std::max(row.closest, dt / limit->dt);
         row.smallest = std::min(row.smallest, smallest_volume<D>(state));
       }
-      begin = Clock::now();
+      begin = Stopwatch::now();
       if (sweep) {
         sweep->step(state, dt, state.time + dt, forces);
         follower.travelled(dt * forces.largest_speed);
       } else {
         advance<D>(disc, state, dt, state.time + dt);
       }
-      stepping += seconds_since(begin);
+      stepping += Stopwatch::now() - begin;
     }
     evaluate<D>(disc, state);
   } catch (const NumericalError& failure) {

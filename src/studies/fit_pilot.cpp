@@ -35,20 +35,18 @@ double error_of(const FitRequest& request, const Summary& summary, double answer
 }  // namespace
 
 std::optional<Pilot> run_pilot(const FitRequest& request, double answer, const Scene& scene,
-                               const PilotOptions& options) {
+                               const FitOptions& options, const std::function<void()>& progress) {
   Pilot pilot;
   for (int k = 0; k < repetitions && (k == 0 || pilot.stepping < short_run); ++k) {
     RunOptions run_options;
     run_options.threads = options.threads;
     run_options.stop_requested = options.stop_requested;
-    run_options.progress = [&](const Progress&) {
-      if (options.progress) options.progress();
-    };
-    if (request.value) run_options.out = options.folder;
+    run_options.progress = [&](const Progress&) { progress(); };
+    if (request.value) run_options.out = options.out / "run";
     const Summary summary = run(scene, run_options);
     if (summary.interrupted) return std::nullopt;
     if (k == 0) {
-      const double error = error_of(request, summary, answer, options.folder);
+      const double error = error_of(request, summary, answer, run_options.out);
       pilot = {summary.spacing,   summary.wall_setup, summary.wall_stepping,      0.0,
                summary.particles, summary.steps,      error == 0.0 ? zero : error};
     }
