@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "tlsph/analysis/line.hpp"
 #include "tlsph/analysis/not_known.hpp"
 
 namespace tlsph {
@@ -11,40 +12,6 @@ namespace {
 
 bool usable(double value) {
   return std::isfinite(value) && value > 0.0;
-}
-
-/// y = c + p x by least squares.
-struct Line {
-  double slope = not_known, intercept = not_known, standard_error = not_known;
-};
-
-Line fit_line(std::span<const double> x, std::span<const double> y) {
-  Line line;
-  const auto n = static_cast<double>(x.size());
-  if (x.size() < 2) return line;
-  double mean_x = 0.0;
-  double mean_y = 0.0;
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    mean_x += x[k] / n;
-    mean_y += y[k] / n;
-  }
-  double xx = 0.0;
-  double xy = 0.0;
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    xx += (x[k] - mean_x) * (x[k] - mean_x);
-    xy += (x[k] - mean_x) * (y[k] - mean_y);
-  }
-  if (xx == 0.0) return line;
-  line.slope = xy / xx;
-  line.intercept = mean_y - line.slope * mean_x;
-  if (x.size() < 3) return line;
-  double residual = 0.0;
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    const double r = y[k] - line.intercept - line.slope * x[k];
-    residual += r * r;
-  }
-  line.standard_error = std::sqrt(residual / (n - 2.0) / xx);
-  return line;
 }
 
 /// φ(p) = ln((h^p − g^p)/p) and dφ/dp for h > g. The factor 1/p, common to all differences and
@@ -82,7 +49,7 @@ OrderFit fit_order(std::span<const double> spacing, std::span<const double> erro
     x.push_back(std::log(spacing[k]));
     y.push_back(std::log(error[k]));
   }
-  const Line line = fit_line(x, y);
+  const LineFit line = fit_line(x, y);
   return {line.slope, line.intercept, line.standard_error, static_cast<int>(x.size())};
 }
 
@@ -111,7 +78,7 @@ OrderFit fit_order_of_differences(std::span<const double> spacing,
       slope[i] = phi.slope;
       residual[i] = std::log(difference[k]) - phi.value;
     }
-    const Line line = fit_line(slope, residual);
+    const LineFit line = fit_line(slope, residual);
     if (!std::isfinite(line.slope) || std::abs(p) > extreme) return fit;
     if (std::abs(line.slope) < 1e-12 * std::max(1.0, std::abs(p))) {
       fit.order = p;

@@ -7,6 +7,7 @@
 
 #include "list.hpp"
 #include "samples.hpp"
+#include "tlsph/analysis/line.hpp"
 #include "tlsph/contrast/current_lattice.hpp"
 #include "tlsph/materials/waves.hpp"
 
@@ -66,23 +67,19 @@ double first_minimum(const Energy& kinetic) {
       std::ranges::find_if(kinetic.values, [](double value) { return value < 0.1; }) -
       kinetic.values.begin());
   const auto fit = [&](std::size_t from, std::size_t to) {
-    double n = 0.0, t = 0.0, y = 0.0, tt = 0.0, ty = 0.0;
+    std::vector<double> time, energy;
     for (std::size_t k = from; k < to; ++k) {
       if (kinetic.values[k] < 0.2 || kinetic.values[k] > 0.8) continue;
-      n += 1.0;
-      t += kinetic.time[k];
-      y += kinetic.values[k];
-      tt += kinetic.time[k] * kinetic.time[k];
-      ty += kinetic.time[k] * kinetic.values[k];
+      time.push_back(kinetic.time[k]);
+      energy.push_back(kinetic.values[k]);
     }
-    const double slope = (n * ty - t * y) / (n * tt - t * t);
-    return std::pair{slope, (y - slope * t) / n};
+    return fit_line(time, energy);
   };
   std::size_t turn = falls;
   while (turn < kinetic.time.size() && kinetic.time[turn] < 0.9 * cycle()) ++turn;
-  const auto [down, top] = fit(0, falls);
-  const auto [up, bottom] = fit(falls, turn);
-  return (top - bottom) / (up - down);
+  const LineFit down = fit(0, falls);
+  const LineFit up = fit(falls, turn);
+  return (down.intercept - up.intercept) / (up.slope - down.slope);
 }
 
 Energy plane_wave(CaseRun& run, const std::string& formulation, int n) {
