@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "tlsph/analysis/line.hpp"
+#include "tlsph/analysis/not_known.hpp"
 
 namespace tlsph {
 
@@ -29,18 +31,10 @@ double growth_rate(std::span<const double> time, std::span<const double> values,
   while (first < values.size() && !(values[first] >= low)) ++first;
   std::size_t last = first;
   while (last < values.size() && values[last] < high) ++last;
-  if (last == values.size() || last - first < 3) return std::numeric_limits<double>::quiet_NaN();
-  double t = 0.0, y = 0.0, tt = 0.0, ty = 0.0;
-  const auto count = static_cast<double>(last - first);
-  for (std::size_t k = first; k < last; ++k) {
-    t += time[k] / count;
-    y += std::log(values[k]) / count;
-  }
-  for (std::size_t k = first; k < last; ++k) {
-    tt += (time[k] - t) * (time[k] - t);
-    ty += (time[k] - t) * (std::log(values[k]) - y);
-  }
-  return ty / tt;
+  if (last == values.size() || last - first < 3) return not_known;
+  std::vector<double> logarithms;
+  for (std::size_t k = first; k < last; ++k) logarithms.push_back(std::log(values[k]));
+  return fit_line(time.subspan(first, last - first), logarithms).slope;
 }
 
 }  // namespace tlsph

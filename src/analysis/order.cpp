@@ -4,47 +4,14 @@
 #include <cassert>
 #include <cmath>
 
+#include "tlsph/analysis/line.hpp"
+#include "tlsph/analysis/not_known.hpp"
+
 namespace tlsph {
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
 bool usable(double value) {
   return std::isfinite(value) && value > 0.0;
-}
-
-/// y = c + p x by least squares.
-struct Line {
-  double slope = unknown, intercept = unknown, standard_error = unknown;
-};
-
-Line fit_line(std::span<const double> x, std::span<const double> y) {
-  Line line;
-  const auto n = static_cast<double>(x.size());
-  if (x.size() < 2) return line;
-  double mean_x = 0.0;
-  double mean_y = 0.0;
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    mean_x += x[k] / n;
-    mean_y += y[k] / n;
-  }
-  double xx = 0.0;
-  double xy = 0.0;
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    xx += (x[k] - mean_x) * (x[k] - mean_x);
-    xy += (x[k] - mean_x) * (y[k] - mean_y);
-  }
-  if (xx == 0.0) return line;
-  line.slope = xy / xx;
-  line.intercept = mean_y - line.slope * mean_x;
-  if (x.size() < 3) return line;
-  double residual = 0.0;
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    const double r = y[k] - line.intercept - line.slope * x[k];
-    residual += r * r;
-  }
-  line.standard_error = std::sqrt(residual / (n - 2.0) / xx);
-  return line;
 }
 
 /// φ(p) = ln((h^p − g^p)/p) and dφ/dp for h > g. The factor 1/p, common to all differences and
@@ -66,7 +33,7 @@ LogDifference log_difference(double h, double g, double p) {
 std::vector<double> pairwise_orders(std::span<const double> spacing,
                                     std::span<const double> error) {
   assert(spacing.size() == error.size());
-  std::vector<double> orders(error.size(), unknown);
+  std::vector<double> orders(error.size(), not_known);
   for (std::size_t k = 1; k < error.size(); ++k)
     if (usable(error[k - 1]) && usable(error[k]))
       orders[k] = std::log(error[k - 1] / error[k]) / std::log(spacing[k - 1] / spacing[k]);
@@ -82,7 +49,7 @@ OrderFit fit_order(std::span<const double> spacing, std::span<const double> erro
     x.push_back(std::log(spacing[k]));
     y.push_back(std::log(error[k]));
   }
-  const Line line = fit_line(x, y);
+  const LineFit line = fit_line(x, y);
   return {line.slope, line.intercept, line.standard_error, static_cast<int>(x.size())};
 }
 
@@ -111,7 +78,7 @@ OrderFit fit_order_of_differences(std::span<const double> spacing,
       slope[i] = phi.slope;
       residual[i] = std::log(difference[k]) - phi.value;
     }
-    const Line line = fit_line(slope, residual);
+    const LineFit line = fit_line(slope, residual);
     if (!std::isfinite(line.slope) || std::abs(p) > extreme) return fit;
     if (std::abs(line.slope) < 1e-12 * std::max(1.0, std::abs(p))) {
       fit.order = p;
@@ -129,7 +96,7 @@ OrderFit fit_order_of_differences(std::span<const double> spacing,
 
 std::vector<double> pairwise_orders_of_differences(std::span<const double> spacing,
                                                    std::span<const double> difference) {
-  std::vector<double> orders(spacing.size(), unknown);
+  std::vector<double> orders(spacing.size(), not_known);
   for (std::size_t k = 2; k < spacing.size(); ++k)
     orders[k] =
         fit_order_of_differences(spacing.subspan(k - 2, 3), difference.subspan(k - 2, 2)).order;
@@ -138,7 +105,7 @@ std::vector<double> pairwise_orders_of_differences(std::span<const double> spaci
 
 double richardson_error(double difference, double ratio, double order) {
   assert(ratio > 1.0);
-  if (!(order > 0.0)) return unknown;
+  if (!(order > 0.0)) return not_known;
   return difference / std::expm1(order * std::log(ratio));
 }
 

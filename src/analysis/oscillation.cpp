@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
+
+#include "tlsph/analysis/not_known.hpp"
 
 namespace tlsph {
 
@@ -51,7 +52,7 @@ std::vector<double> passages(std::span<const double> time, std::span<const doubl
 }
 
 double mean_period(std::span<const double> time, std::span<const double> values, double level) {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  constexpr double none = not_known;
   const std::vector<double> at = passages(time, values, level);
   if (at.size() < 3) return none;
   const double middle = 0.5 * static_cast<double>(at.size() - 1);

@@ -11,6 +11,7 @@
 #include "tlsph/model/builder.hpp"
 #include "tlsph/operators/gradients.hpp"
 #include "tlsph/stepping/stepper.hpp"
+#include "vibration.hpp"
 
 namespace tlsph {
 namespace {
@@ -47,36 +48,27 @@ void conditions(CaseRun& run) {
       {"(57)", "constant kernel as printed", shepard_gradient(kernel, h, particles, Gamma::nothing),
        false, false},
       {"(41)", "least squares", corrected(Correction::least_squares), true, true}};
-  std::vector<std::vector<double>> table(2);
-  std::vector<std::vector<double>> cloud(3);
+  std::vector<CaseColumn> table = {{"constant"}, {"linear"}};
   for (const Row& row : rows) {
     const std::string source = fmt::format("Bonet & Lok, {}", row.source);
-    const ScalarField residual = linear_residual(row.G, particles);
     const double constants = constant_residual(row.G, particles);
-    const auto hold = [&](bool must, const std::string& what, double seen) {
-      if (must)
-        run.at_most(source, what, round_off, seen);
-      else
-        run.report(source, what, seen, 0.0);
-    };
-    hold(row.constants, fmt::format("gradient of a constant, times Δ, correction {}", row.name),
-         constants);
-    hold(row.linears, fmt::format("residual of (41), correction {}", row.name),
-         residual.maxCoeff());
-    table[0].push_back(constants);
-    table[1].push_back(residual.maxCoeff());
-    if (cloud[2].empty()) cloud[2].assign(residual.begin(), residual.end());
+    const double linears = linear_residual(row.G, particles).maxCoeff();
+    run.check(source, fmt::format("gradient of a constant, times Δ, correction {}", row.name),
+              constants, row.constants ? at_most(round_off) : reported(0.0));
+    run.check(source, fmt::format("residual of (41), correction {}", row.name), linears,
+              row.linears ? at_most(round_off) : reported(0.0));
+    add_row(table, {constants, linears});
   }
   const ScalarField sum = linear.value * ScalarField::Ones(particles.size());
   const VectorField<2> moved = linear.value * particles.X;
-  run.at_most("Bonet & Lok, (49)", "Σ V W̃ − 1, linear kernel", round_off,
-              (sum.array() - 1).abs().maxCoeff());
-  run.at_most("Bonet & Lok, (50)", "Σ V W̃ (x − x_b), linear kernel [m]", round_off,
-              (moved - particles.X).cwiseAbs().maxCoeff());
-  run.table("residuals", {"constant", "linear"}, table);
-  cloud[0].assign(particles.X.col(0).begin(), particles.X.col(0).end());
-  cloud[1].assign(particles.X.col(1).begin(), particles.X.col(1).end());
-  run.table("cloud", {"x", "y", "residual"}, cloud);
+  run.check("Bonet & Lok, (49)", "Σ V W̃ − 1, linear kernel", (sum.array() - 1).abs().maxCoeff(),
+            at_most(round_off));
+  run.check("Bonet & Lok, (50)", "Σ V W̃ (x − x_b), linear kernel [m]",
+            (moved - particles.X).cwiseAbs().maxCoeff(), at_most(round_off));
+  run.table("residuals", table);
+  run.table("cloud", {{"x", particles.X.col(0)},
+                      {"y", particles.X.col(1)},
+                      {"residual", linear_residual(rows.front().G, particles)}});
 }
 
 /// A gradient and the force operator that goes with it, or does not.
@@ -178,32 +170,23 @@ double force_error(const Discretisation<2>& disc) {
 void momenta(CaseRun& run) {
   const auto all = pairs(run);
   // One step for all: half of what the first pair allows.
-  const State<2> rest = make_state<2>(all[0].disc, VectorField<2>::Zero(all[0].disc.nodes(), 2),
-                                      VectorField<2>::Zero(all[0].disc.nodes(), 2));
-  const double dt = 0.5 * critical_step<2>(all[0].disc, rest).dt;
+  const Discretisation<2>& first = all.front().disc;
+  const double dt = 0.5 * critical_step<2>(first, state_at_rest<2>(first)).dt;
   for (std::size_t k = 0; k < all.size(); ++k) {
     const Pair& pair = all[k];
     const Drift lost = drift(run, pair.disc, dt);
-    const double linear = std::ranges::max(lost.linear);
-    const double angular = std::ranges::max(lost.angular);
-    const auto judge = [&](bool kept, const char* what, double seen) {
-      const std::string quantity =
-          fmt::format("{} momentum lost, of its scale, {}", what, pair.name);
-      if (kept)
-        run.at_most("Bonet & Lok, sec. 3", quantity, round_off, seen);
-      else
-        run.at_least("Bonet & Lok, sec. 3", quantity, 1e-4, seen);
+    const auto judge = [&](const char* what, const std::vector<double>& seen, bool kept) {
+      run.check("Bonet & Lok, sec. 3",
+                fmt::format("{} momentum lost, of its scale, {}", what, pair.name),
+                std::ranges::max(seen), kept ? at_most(round_off) : at_least(1e-4));
     };
-    judge(pair.linear_momentum, "linear", linear);
-    judge(pair.angular_momentum, "angular", angular);
-    const double error = force_error(pair.disc);
-    const std::string quantity = fmt::format("|f + ∂U/∂u|, of the largest force, {}", pair.name);
-    if (pair.disc.adjoint)
-      run.at_most("Bonet & Lok, sec. 2", quantity, 1e-9, error);
-    else
-      run.at_least("Bonet & Lok, sec. 2", quantity, 1e-3, error);
-    run.table(fmt::format("pair{}", k), {"time", "linear", "angular"},
-              {lost.time, lost.linear, lost.angular});
+    judge("linear", lost.linear, pair.linear_momentum);
+    judge("angular", lost.angular, pair.angular_momentum);
+    run.check("Bonet & Lok, sec. 2",
+              fmt::format("|f + ∂U/∂u|, of the largest force, {}", pair.name),
+              force_error(pair.disc), pair.disc.adjoint ? at_most(1e-9) : at_least(1e-3));
+    run.table(fmt::format("pair{}", k),
+              {{"time", lost.time}, {"linear", lost.linear}, {"angular", lost.angular}});
   }
 }
 

@@ -8,7 +8,6 @@
 #include <numbers>
 
 #include "list.hpp"
-#include "stabilised_bar.hpp"
 #include "tlsph/analysis/order.hpp"
 #include "tlsph/kernels/families.hpp"
 #include "tlsph/model/builder.hpp"
@@ -84,8 +83,8 @@ void families(CaseRun& run) {
     double whole = 0.0;
     double row = 0.0;
     for (const double support : supports) {
-      const std::vector<std::string> kernel = {fmt::format("kernel.family={}", family),
-                                               fmt::format("kernel.support={}", support)};
+      const Settings kernel = {fmt::format("kernel.family={}", family),
+                               fmt::format("kernel.support={}", support)};
       const auto bar = build<1>(run.read("bar.toml", kernel));
       std::vector<double> seen = squared_frequencies<1>(bar);
       std::vector<double> closed;
@@ -94,18 +93,17 @@ void families(CaseRun& run) {
       std::ranges::sort(closed);
       for (std::size_t k = 0; k < closed.size(); ++k)
         whole = std::max(whole, std::abs(seen[k] - closed[k]) / closed.back());
-      auto settings = kernel;
-      settings.insert(settings.end(), {"formulation=variational", "kernel.correction=gradient"});
-      row = std::max(row, worst_at_centre(build<1>(run.read("bar.toml", settings)), [&](double t) {
+      const Settings corrected =
+          with(kernel, {"formulation=variational", "kernel.correction=gradient"});
+      row = std::max(row, worst_at_centre(build<1>(run.read("bar.toml", corrected)), [&](double t) {
                        return squared(kernel_symbol(family, support, t));
                      }));
     }
-    run.at_most(source,
-                fmt::format("spectrum of a bar against its closed form, {}, mirror", family), 1e-10,
-                whole);
-    run.at_most(source,
-                fmt::format("(ωΔ/c)² of a row against its closed form, {}, variational", family),
-                1e-10, row);
+    run.check(source, fmt::format("spectrum of a bar against its closed form, {}, mirror", family),
+              whole, at_most(1e-10));
+    run.check(source,
+              fmt::format("(ωΔ/c)² of a row against its closed form, {}, variational", family), row,
+              at_most(1e-10));
   }
 }
 
@@ -134,29 +132,27 @@ void orders(CaseRun& run) {
        4.0});
   add_one_sided_stabiliser(operators.back().bar, 4.0 / 3.0);
 
-  std::vector<std::string> columns = {"theta"};
-  std::vector<std::vector<double>> curves(1);
-  for (int n = 1; n <= cells; ++n) curves[0].push_back(n * pi / cells);
+  std::vector<CaseColumn> curves = {{"theta"}};
+  for (int n = 1; n <= cells; ++n) add_row(curves, {n * pi / cells});
   for (const Operator& each : operators) {
-    run.at_most(source, fmt::format("(ωΔ/c)² of a row against its closed form, {}", each.name),
-                1e-10, worst_at_centre(each.bar, each.closed));
-    std::vector<double> theta;
-    std::vector<double> error;
-    for (const double t : {pi / 8, pi / 12, pi / 16, pi / 24, pi / 32}) {
-      theta.push_back(t);
-      const double seen = squared_frequency(each.bar, cells / 2, t / each.bar.spacing);
-      error.push_back(std::abs(std::sqrt(seen) * each.bar.spacing / t - 1));
-    }
-    run.absolute(source, fmt::format("order of the phase speed in θ, {}", each.name), each.order,
-                 fit_order(theta, error).order, 0.05);
-    columns.push_back(each.name);
-    curves.emplace_back();
-    for (const double t : curves[0])
-      curves.back().push_back(
-          std::sqrt(std::max(0.0, squared_frequency(each.bar, cells / 2, t / each.bar.spacing))) *
-          each.bar.spacing);
+    const double spacing = each.bar.spacing;
+    const auto square = [&](double theta) {
+      return squared_frequency(each.bar, cells / 2, theta / spacing);
+    };
+    run.check(source, fmt::format("(ωΔ/c)² of a row against its closed form, {}", each.name),
+              worst_at_centre(each.bar, each.closed), at_most(1e-10));
+    const std::vector<double> long_waves = {pi / 8, pi / 12, pi / 16, pi / 24, pi / 32};
+    std::vector<double> errors;
+    for (const double theta : long_waves)
+      errors.push_back(std::abs(std::sqrt(square(theta)) * spacing / theta - 1));
+    run.check(source, fmt::format("order of the phase speed in θ, {}", each.name),
+              fit_order(long_waves, errors).order, absolute(each.order, 0.05));
+    CaseColumn curve(each.name);
+    for (const double theta : curves.front().values)
+      curve.values.push_back(std::sqrt(std::max(0.0, square(theta))) * spacing);
+    curves.push_back(std::move(curve));
   }
-  run.table("curves", columns, curves);
+  run.table("curves", curves);
 }
 
 }  // namespace

@@ -1,6 +1,4 @@
 // What SPH sums make of known functions: the thesis's study of interpolation.
-#include "interpolation.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -44,17 +42,17 @@ void droop(CaseRun& run) {
       const ScalarField one = sums.value * ScalarField::Ones(line.X.rows());
       return one[0] / one[line.count / 2];
     };
-    run.relative("thesis, Fig. 2.10",
-                 fmt::format("value at a bare end, of that inside, support {}", support), 0.5,
-                 at_end(bare), round_off);
+    run.check("thesis, Fig. 2.10",
+              fmt::format("value at a bare end, of that inside, support {}", support), at_end(bare),
+              relative(0.5, round_off));
     if (support == supports.back())
-      run.report("thesis, Fig. 2.10",
-                 fmt::format("the same with a full volume at the end, support {}", support),
-                 at_end(equal), 0.5);
+      run.check("thesis, Fig. 2.10",
+                fmt::format("the same with a full volume at the end, support {}", support),
+                at_end(equal), reported(0.5));
   }
 }
 
-/// Errors of value and derivative on finer and finer lines.
+/// Errors of value and derivative on finer and finer lines, zero of what is not looked at.
 struct Study {
   std::string name;
   std::array<double, 2> order;  // of value and derivative
@@ -111,62 +109,53 @@ void orders(CaseRun& run) {
        {},
        [](int n) { return corrected(Correction::least_squares, n); }},
       {"stress points, no ghosts", {0.0, 2.0}, {}, at_stress_points}};
-  std::vector<std::string> columns = {"spacing"};
-  std::vector<std::vector<double>> lists(1);
+  const std::array intervals = {40, 80, 160, 320, 640, 1280};
+  std::vector<CaseColumn> table = {{"spacing"}};
+  for (const int n : intervals) add_row(table, {1.0 / n});
+  const std::vector<double> spacings = table.front().values;
   for (const Study& study : studies) {
-    std::vector<double> spacing;
-    std::array<std::vector<double>, 2> errors;
-    for (const int n : {40, 80, 160, 320, 640, 1280}) {
-      spacing.push_back(1.0 / n);
-      const auto now = study.errors(n);
-      errors[0].push_back(now[0]);
-      errors[1].push_back(now[1]);
+    std::vector<CaseColumn> errors = {{"value, " + study.name}, {"derivative, " + study.name}};
+    for (const int n : intervals) {
+      const auto [value, derivative] = study.errors(n);
+      add_row(errors, {value, derivative});
     }
-    lists[0] = spacing;
     for (const std::size_t k : {0U, 1U}) {
-      if (errors[k].front() == 0.0) continue;
-      const char* what = k == 0 ? "value" : "derivative";
+      const std::vector<double>& seen = errors[k].values;
+      if (seen.front() == 0.0) continue;
+      const std::string what =
+          std::string("largest error of the ") + (k == 0 ? "value" : "derivative");
+      const std::string of = ", support 2.5, " + study.name;
       if (study.order[k] == 0.0)
-        run.absolute(
-            "thesis, (2.35)",
-            fmt::format("largest error of the {} however fine, support 2.5, {}", what, study.name),
-            study.floor[k], errors[k].back(), 0.02 * study.floor[k]);
+        run.check("thesis, (2.35)", what + " however fine" + of, seen.back(),
+                  absolute(study.floor[k], 0.02 * study.floor[k]));
       else
-        run.absolute(
-            "thesis, (2.35)",
-            fmt::format("order of the largest error of the {}, support 2.5, {}", what, study.name),
-            study.order[k], fit_order(spacing, errors[k]).order, 0.1);
-      columns.push_back(fmt::format("{}, {}", what, study.name));
-      lists.push_back(errors[k]);
+        run.check("thesis, (2.35)", "order of the " + what + of, fit_order(spacings, seen).order,
+                  absolute(study.order[k], 0.1));
+      table.push_back(errors[k]);
     }
   }
-  run.table("orders", columns, lists);
+  run.table("orders", table);
 }
 
 /// Figs 2.10–2.12 as drawn: value and derivatives for all supports.
 void profiles(CaseRun& run) {
   const SampledLine bare(0.0, 1.0, 40, 0);
-  const auto list = [](const ScalarField& values) {
-    return std::vector<double>(values.begin(), values.end());
-  };
-  std::vector<std::string> columns = {"x", "exact", "exact derivative"};
-  std::vector<std::vector<double>> lists = {list(bare.X.col(0)), list(bare.sample(f)),
-                                            list(bare.sample(df))};
+  std::vector<CaseColumn> table = {
+      {"x", bare.X.col(0)}, {"exact", bare.sample(f)}, {"exact derivative", bare.sample(df)}};
   for (const double support : supports) {
     const LineOperators sums = plain_sums(kernel, support, bare);
-    columns.push_back(fmt::format("{}", support));
-    lists.push_back(list(sums.value * bare.sample(f)));
+    table.emplace_back(fmt::format("{}", support), ScalarField(sums.value * bare.sample(f)));
     if (support != supports.front() && support != supports.back()) continue;
     for (const auto& [name, intervals] : {std::pair{"2.11", 100}, std::pair{"2.12", 10}}) {
       const auto errors = with_sums(plain_sums, support, intervals, layers);
       for (const std::size_t k : {0U, 1U})
-        run.report(fmt::format("thesis, Fig. {}", name),
-                   fmt::format("largest error of the {}, {} intervals, ghosts, support {}",
-                               k == 0 ? "value" : "derivative", intervals, support),
-                   errors[k], 0.0);
+        run.check(fmt::format("thesis, Fig. {}", name),
+                  fmt::format("largest error of the {}, {} intervals, ghosts, support {}",
+                              k == 0 ? "value" : "derivative", intervals, support),
+                  errors[k], reported(0.0));
     }
   }
-  run.table("bare", columns, lists);
+  run.table("bare", table);
 }
 
 }  // namespace
@@ -203,13 +192,13 @@ void sine(CaseRun& run) {
       compare(first, slope * slopes);
       compare(sums.derivative * first, -slope * slope * values);
       if (support != supports.front() && support != supports.back()) continue;
-      run.report(fmt::format("thesis, Fig. {}", figure.name),
-                 fmt::format("amplitude of the derivative of sin x, support {}", support), slope,
-                 1.0);
+      run.check(fmt::format("thesis, Fig. {}", figure.name),
+                fmt::format("amplitude of the derivative of sin x, support {}", support), slope,
+                reported(1.0));
     }
-  run.at_most("thesis, Figs 2.13–2.16",
-              "amplitudes of sin x and two derivatives against Σ W cos jθ, −Σ W' sin jθ", 1e-10,
-              worst);
+  run.check("thesis, Figs 2.13–2.16",
+            "amplitudes of sin x and two derivatives against Σ W cos jθ, −Σ W' sin jθ", worst,
+            at_most(1e-10));
 }
 
 }  // namespace sampling

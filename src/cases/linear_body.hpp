@@ -8,6 +8,9 @@
 
 namespace tlsph {
 
+/// The rows and columns of a square matrix that are chosen.
+[[nodiscard]] SparseMatrix among(const SparseMatrix& matrix, const std::vector<Index>& chosen);
+
 class LinearBody {
  public:
   /// Factorises the stiffness at H = 0 among the free degrees of freedom. NumericalError if some
@@ -20,9 +23,6 @@ class LinearBody {
   [[nodiscard]] double lowest_frequency() const;
 
  private:
-  [[nodiscard]] static SparseMatrix among_free(const Discretisation<2>& disc,
-                                               const std::vector<Index>& free);
-
   const Discretisation<2>& disc_;
   std::vector<Index> free_;
   Cholesky factor_;

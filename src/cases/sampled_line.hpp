@@ -1,13 +1,15 @@
 #pragma once
 /// \file
 /// Functions sampled at equally spaced particles on a line, and what SPH sums make of them: the
-/// interpolation studies of the thesis, section 2.7.
+/// interpolation studies of the thesis, section 2.7, and the parts of that case.
 
+#include <array>
 #include <functional>
 #include <string>
 
 #include "tlsph/kernels/families.hpp"
 #include "tlsph/particles/particles.hpp"
+#include "tlsph/studies/validation.hpp"
 
 namespace tlsph {
 
@@ -58,5 +60,22 @@ struct LatticeSums {
   double support_, normalisation_;
   [[nodiscard]] double first(int j) const;
 };
+
+namespace sampling {
+
+inline constexpr ModifiedMollifier kernel{};  ///< the thesis's own
+inline constexpr std::array supports = {1.5, 2.5, 3.5, 4.5, 5.5};
+inline constexpr int layers = 6;  ///< of ghosts, enough for all supports
+
+/// Figs 2.10–2.12: (x − ½)⁴ with and without ghosts, and how its errors fall.
+void quartic(CaseRun& run);
+/// Figs 2.13–2.16: amplitudes of sin x and its derivatives.
+void sine(CaseRun& run);
+/// Figs 2.17–2.20: falling edges.
+void edges(CaseRun& run);
+/// (2.46), (2.47): the modified SPH matrix.
+void modified_matrix(CaseRun& run);
+
+}  // namespace sampling
 
 }  // namespace tlsph

@@ -21,19 +21,18 @@ void satellite(CaseRun& run) {
                   {fmt::format("formulation={}", formulation), fmt::format("time.step={}", step),
                    fmt::format("time.end={}", end), "output.frames=0", "output.energy_every=50"});
     if (scene.failed_at) {
-      run.at_least(source, fmt::format("simulated time, {} [s]", formulation), end,
-                   *scene.failed_at);
+      run.check(source, fmt::format("simulated time, {} [s]", formulation), *scene.failed_at,
+                at_least(end));
       continue;
     }
     const Summary& summary = scene.summary;
-    run.at_least(source, fmt::format("steps, {}", formulation), 1e5,
-                 static_cast<double>(summary.steps));
-    run.at_most(source, fmt::format("drift of the linear momentum, {}", formulation), 1e-11,
-                summary.linear_momentum_drift);
-    run.at_most(source, fmt::format("drift of the angular momentum, {}", formulation), 1e-11,
-                summary.angular_momentum_drift);
-    run.at_most(source, fmt::format("drift of the energy, {}", formulation), 1e-2,
-                summary.energy.drift_relative);
+    const std::string of = std::string(", ") + formulation;
+    run.check(source, "steps" + of, static_cast<double>(summary.steps), at_least(1e5));
+    run.check(source, "drift of the linear momentum" + of, summary.linear_momentum_drift,
+              at_most(1e-11));
+    run.check(source, "drift of the angular momentum" + of, summary.angular_momentum_drift,
+              at_most(1e-11));
+    run.check(source, "drift of the energy" + of, summary.energy.drift_relative, at_most(1e-2));
   }
   (void)run.scene("frames", "satellite.toml", {"time.step=0.0148", "time.end=24"});
 }

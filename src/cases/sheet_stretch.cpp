@@ -8,7 +8,6 @@
 
 #include "list.hpp"
 #include "stretched.hpp"
-#include "tlsph/io/hdf5.hpp"
 #include "tlsph/materials/any_law.hpp"
 #include "tlsph/materials/waves.hpp"
 
@@ -43,7 +42,7 @@ CaseScene draw(CaseRun& run, const std::string& label, const std::string& formul
       path.start == path.end
           ? fmt::format("curve=\"constant\", amplitude={}", width * (path.start - 1))
           : fmt::format("curve=\"ramp\", amplitude={}, rise={}", width * (path.end - 1), rise);
-  std::vector<std::string> overrides = {
+  Settings overrides = {
       "formulation=" + formulation,
       fmt::format("material.poisson={}", poisson),
       fmt::format("boundary[2].displacement.x.rise={}", rise),
@@ -76,8 +75,7 @@ Imposed imposed(const CaseScene& scene, const Lame& constants) {
 
 /// The largest difference of any component of F from that of the imposed stretches at the end.
 double unevenness(const CaseScene& scene, const Path& path) {
-  const auto file = Hdf5File::open_read_only(scene.directory / "run.h5");
-  const auto F = file.read_rows("frames/deformation_gradient", 1, 1).values;
+  const std::vector<double> F = scene.frame("deformation_gradient", 1).value();
   const std::array expected = {6.0, 0.0, 0.0, path.end};
   double largest = 0.0;
   for (std::size_t k = 0; k < F.size(); ++k)
@@ -87,6 +85,7 @@ double unevenness(const CaseScene& scene, const Path& path) {
 
 void follow_law(CaseRun& run, const std::string& formulation) {
   constexpr double rise = 77.57e-6;
+  const Claim claim = formulation == "thesis" ? reported() : at_most(1e-6);
   double uneven = 0.0;
   for (const Path& path : paths) {
     const CaseScene scene = draw(run, fmt::format("{}-{}-{}", formulation, path.start, path.end),
@@ -94,23 +93,18 @@ void follow_law(CaseRun& run, const std::string& formulation) {
     const Imposed law = imposed(scene, lame(young, 0.3));
     const double error =
         largest_deviation(law.first, scene.probe("centre.cauchy_xx"), law.stress, 1.2, 6);
-    const std::string text = fmt::format("relative error of the stress up to lambda1 = 6, {}, {}",
-                                         path.name, formulation);
-    if (formulation == "thesis")
-      run.report(path.figure, text, error);
-    else
-      run.at_most(path.figure, text, 1e-6, error);
+    run.check(path.figure,
+              fmt::format("relative error of the stress up to lambda1 = 6, {}, {}", path.name,
+                          formulation),
+              error, claim);
     if (formulation == "thesis" && path.end > path.start)
-      run.report(path.figure, "lambda2 of the centre at lambda1 = 6, it should be 2, thesis",
-                 scene.probe("centre.deformation_gradient_yy").back());
+      run.check(path.figure, "lambda2 of the centre at lambda1 = 6, it should be 2, thesis",
+                scene.probe("centre.deformation_gradient_yy").back(), reported());
     uneven = std::max(uneven, unevenness(scene, path));
   }
-  const std::string text =
-      "difference of F from the imposed one at lambda1 = 6, all particles, " + formulation;
-  if (formulation == "thesis")
-    run.report("thesis, sec. 5.4.3", text, uneven);
-  else
-    run.at_most("thesis, sec. 5.4.3", text, 1e-6, uneven);
+  run.check("thesis, sec. 5.4.3",
+            "difference of F from the imposed one at lambda1 = 6, all particles, " + formulation,
+            uneven, claim);
 }
 
 /// λ₁ where the slowest wave stops. Waves along the smaller stretch s are the first:
@@ -139,9 +133,9 @@ void lose_waves(CaseRun& run, const Path& path) {
   constexpr double rise = 775.7e-6;
   const double limit = limit_by_formula(path);
   const std::string source = "slowest wave, rho c^2 = 0";
-  run.relative(source,
-               fmt::format("lambda1 at the loss of hyperbolicity, {}, acoustic tensor", path.name),
-               limit, limit_by_tangent(path), 1e-9);
+  run.check(source,
+            fmt::format("lambda1 at the loss of hyperbolicity, {}, acoustic tensor", path.name),
+            limit_by_tangent(path), relative(limit, 1e-9));
   for (const std::string formulation : {"mirror", "variational", "stress-point"}) {
     const CaseScene scene =
         draw(run, fmt::format("{}-{}-{}-0.49", formulation, path.start, path.end), formulation,
@@ -149,10 +143,10 @@ void lose_waves(CaseRun& run, const Path& path) {
     const auto& loss = scene.summary.hyperbolicity_lost;
     // the principal stretches are sorted, the largest first
     const std::size_t along = limit > path.second(limit) ? 0 : 1;
-    run.relative(
+    run.check(
         source,
         fmt::format("local lambda1 at the loss of hyperbolicity, {}, {}", path.name, formulation),
-        limit, loss ? loss->stretches[along] : std::nan(""), 2e-3);
+        loss ? loss->stretches[along] : std::nan(""), relative(limit, 2e-3));
   }
 }
 

@@ -6,8 +6,7 @@
 #include <map>
 
 #include "list.hpp"
-#include "signals.hpp"
-#include "tlsph/io/hdf5.hpp"
+#include "samples.hpp"
 #include "tlsph/materials/waves.hpp"
 
 namespace tlsph {
@@ -22,27 +21,25 @@ constexpr double before_reflection = 32e-6;  // [s]
 
 /// Speed of the front between the probes at 0.05 and 0.10 m [m/s].
 double front_speed(const CaseScene& scene) {
-  const auto& time = scene.probes.computed.time;
+  const auto& time = scene.history.time;
   const auto samples =
       static_cast<std::size_t>(std::ranges::lower_bound(time, before_reflection) - time.begin());
   const auto at = [&](const char* column) {
-    return arrival(std::span(time).first(samples), scene.probe(column).first(samples));
+    return arrival({std::span(time).first(samples), scene.probe(column).first(samples)});
   };
   return 0.05 / (at("p3.pk1_xx") - at("p2.pk1_xx"));
 }
 
 /// Transverse over axial stress at 0.05 m while the pulse is there.
 double stress_ratio(const CaseScene& scene) {
-  const auto& time = scene.probes.computed.time;
-  return peak(time, scene.probe("p2.pk1_yy"), 0.0, before_reflection) /
-         peak(time, scene.probe("p2.pk1_xx"), 0.0, before_reflection);
+  return peak(scene.samples("p2.pk1_yy"), before_reflection) /
+         peak(scene.samples("p2.pk1_xx"), before_reflection);
 }
 
 /// The largest difference of u_x within a cross-section, in largest |u_x|, at the end.
 double unevenness(const CaseScene& scene) {
-  const auto file = Hdf5File::open_read_only(scene.directory / "run.h5");
-  const auto X = file.read_doubles("particles/X").values;
-  const auto u = file.read_rows("frames/displacement", 1, 1).values;
+  const std::vector<double> X = scene.data("particles/X");
+  const std::vector<double> u = scene.frame("displacement", 1).value();
   struct Range {
     double least, most;
   };
@@ -59,10 +56,9 @@ double unevenness(const CaseScene& scene) {
 }
 
 /// Nearest neighbours serve the collocated adjoint best: its sums are exact at the ends then.
-std::vector<std::string> settings(const std::string& formulation) {
-  std::vector<std::string> result = {"formulation=" + formulation};
-  if (formulation == "variational") result.emplace_back("kernel.support=1.5");
-  return result;
+Settings settings(const std::string& formulation) {
+  const Settings result = {"formulation=" + formulation};
+  return formulation == "variational" ? with(result, {"kernel.support=1.5"}) : result;
 }
 
 }  // namespace
@@ -72,38 +68,33 @@ void sheet_waves(CaseRun& run) {
   for (const std::string formulation : {"thesis", "mirror", "variational", "stress-point"}) {
     const CaseScene scene =
         run.scene("strain-" + formulation, "strain_wave.toml", settings(formulation));
-    run.relative("thesis, Fig. 5.7", "speed of the strain wave, " + formulation + " [m/s]",
-                 strain_speed, front_speed(scene), 2e-3);
-    run.relative("thesis, Fig. 5.7", "P_yy/P_xx in the strain wave, " + formulation,
-                 poisson / (1 - poisson), stress_ratio(scene), 1e-3);
-    const std::string uneven = "unevenness of u_x through the thickness, " + formulation;
-    if (formulation == "thesis")
-      run.report("thesis, Fig. 5.7", uneven, unevenness(scene));
-    else
-      run.at_most("thesis, Fig. 5.7", uneven, formulation == "variational" ? 1e-4 : 1e-12,
-                  unevenness(scene));
+    run.check("thesis, Fig. 5.7", "speed of the strain wave, " + formulation + " [m/s]",
+              front_speed(scene), relative(strain_speed, 2e-3));
+    run.check("thesis, Fig. 5.7", "P_yy/P_xx in the strain wave, " + formulation,
+              stress_ratio(scene), relative(poisson / (1 - poisson), 1e-3));
+    run.check("thesis, Fig. 5.7", "unevenness of u_x through the thickness, " + formulation,
+              unevenness(scene),
+              formulation == "thesis" ? reported()
+                                      : at_most(formulation == "variational" ? 1e-4 : 1e-12));
   }
   for (const std::string formulation : {"variational", "stress-point"})
     for (const std::string assumption : {"strain", "stress"}) {
-      auto overrides = settings(formulation);
-      overrides.push_back("material.assumption=" + assumption);
-      const CaseScene scene = run.scene(fmt::format("plane-{}-{}", assumption, formulation),
-                                        "stress_wave.toml", overrides);
+      const CaseScene scene =
+          run.scene(fmt::format("plane-{}-{}", assumption, formulation), "stress_wave.toml",
+                    with(settings(formulation), {"material.assumption=" + assumption}));
       const bool strain = assumption == "strain";
+      const std::string of = fmt::format(" in plane {}, {}", assumption, formulation);
       const double modulus =
           p_modulus(2, Assumption::stress, young, poisson) * (strain ? 1 : 1 - poisson * poisson);
-      run.relative(
-          strain ? "sqrt(E/(rho (1 - nu^2)))" : "thesis, Fig. 5.9",
-          fmt::format("speed of the stress wave in plane {}, {} [m/s]", assumption, formulation),
-          wave_speed(modulus, density), front_speed(scene), 5e-3);
-      run.at_most(
-          "thesis, Fig. 5.9",
-          fmt::format("P_yy/P_xx in the stress wave in plane {}, {}", assumption, formulation),
-          0.01, stress_ratio(scene));
+      run.check(strain ? "sqrt(E/(rho (1 - nu^2)))" : "thesis, Fig. 5.9",
+                "speed of the stress wave" + of + " [m/s]", front_speed(scene),
+                relative(wave_speed(modulus, density), 5e-3));
+      run.check("thesis, Fig. 5.9", "P_yy/P_xx in the stress wave" + of, stress_ratio(scene),
+                at_most(0.01));
       if (strain)
-        run.report("thesis, Fig. 5.9",
-                   "the same speed beside the one the thesis has, " + formulation + " [m/s]",
-                   front_speed(scene), wave_speed(young, density));
+        run.check("thesis, Fig. 5.9",
+                  "the same speed beside the one the thesis has, " + formulation + " [m/s]",
+                  front_speed(scene), reported(wave_speed(young, density)));
     }
 }
 

@@ -7,7 +7,6 @@
 
 #include "list.hpp"
 #include "tlsph/analysis/order.hpp"
-#include "tlsph/io/hdf5.hpp"
 #include "tlsph/materials/any_law.hpp"
 #include "tlsph/materials/stress.hpp"
 
@@ -41,10 +40,9 @@ double edge_stress(const AnyLaw<2>& law, double strain) {
 class AtRest {
  public:
   explicit AtRest(const CaseScene& scene) {
-    const auto file = Hdf5File::open_read_only(scene.directory / "run.h5");
-    X_ = file.read_doubles("particles/X").values;
-    u_ = file.read_rows("frames/displacement", 1, 1).values;
-    sigma_ = file.read_rows("frames/cauchy", 1, 1).values;
+    X_ = scene.data("particles/X");
+    u_ = scene.frame("displacement", 1).value();
+    sigma_ = scene.frame("cauchy", 1).value();
   }
 
   /// The stress at the top of the hole, from the stretch of the edge: even in the angle, it is the
@@ -88,92 +86,92 @@ class AtRest {
   std::vector<double> X_, u_, sigma_;
 };
 
+/// Cells along a side.
+int cells(double spacing) {
+  return static_cast<int>(std::lround(0.05 / spacing));
+}
+
 CaseScene pull(CaseRun& run, const std::string& label, const std::string& formulation,
-               double spacing, std::vector<std::string> overrides) {
-  overrides.push_back("formulation=" + formulation);
-  overrides.push_back(fmt::format("body.spacing={}", spacing));
-  return run.scene(fmt::format("{}-{:.0f}", label, 0.05 / spacing), "sheet.toml", overrides);
+               double spacing, const Settings& settings) {
+  return run.scene(
+      fmt::format("{}-{}", label, cells(spacing)), "sheet.toml",
+      with(settings, {"formulation=" + formulation, fmt::format("body.spacing={}", spacing)}));
 }
 
 /// How values at `spacings` converge, and whether to `reference`.
 void judge(CaseRun& run, const std::string& text, double reference,
            const std::vector<double>& values) {
+  constexpr const char* source = "finite elements at rest";
   std::vector<double> differences;
   for (std::size_t k = 1; k < values.size(); ++k) differences.push_back(values[k] - values[k - 1]);
   const double order = fit_order_of_differences(spacings, differences).order;
-  const std::string source = "finite elements at rest";
-  for (std::size_t k = 0; k + 1 < values.size(); ++k)
-    run.report(
-        source,
-        fmt::format("{}, {:.0f} x {:.0f} cells", text, 0.05 / spacings[k], 0.05 / spacings[k]),
-        values[k], reference);
-  run.relative(source, text + ", 80 x 80 cells", reference, values.back(), 4e-3);
-  run.at_least(source, text + ", order of convergence", 1.4, order);
-  run.relative(source, text + ", Richardson limit", reference,
-               richardson_limit(values[2], values[3], 2.0, order), 3e-3);
+  for (std::size_t k = 0; k < values.size(); ++k)
+    run.check(source, fmt::format("{0}, {1} x {1} cells", text, cells(spacings.at(k))), values[k],
+              k + 1 < values.size() ? reported(reference) : relative(reference, 4e-3));
+  run.check(source, text + ", order of convergence", order, at_least(1.4));
+  run.check(source, text + ", Richardson limit", richardson_limit(values[2], values[3], 2.0, order),
+            relative(reference, 3e-3));
 }
 
 /// Boundary-fitted cells.
-void converge(CaseRun& run, std::vector<std::vector<double>>& columns) {
+void converge(CaseRun& run, std::vector<CaseColumn>& columns) {
   const auto linear = make_law<2>(LawName::linear_elastic, Assumption::strain, young, poisson);
   const auto rubber = make_law<2>(LawName::neo_hookean, Assumption::strain, young, poisson);
-  std::vector<double> factors, peaks;
+  std::vector<CaseColumn> peaks = {{"linear"}, {"fitted"}};
   double end = 0.0, restless = 0.0;
   for (const double spacing : spacings) {
     const CaseScene small = pull(run, "linear", "stress-point", spacing,
                                  {"material.law=linear-elastic",
                                   fmt::format("boundary[2].traction.amplitude={}", small_load)});
-    factors.push_back(AtRest(small).at_the_top(linear) / small_load);
     const CaseScene large = pull(run, "fitted", "stress-point", spacing, {});
-    peaks.push_back(AtRest(large).at_the_top(rubber));
+    add_row(peaks,
+            {AtRest(small).at_the_top(linear) / small_load, AtRest(large).at_the_top(rubber)});
     end = large.probe("edge.displacement_x").back();
     restless = std::max(restless, large.summary.energy.kinetic / large.summary.energy.elastic);
   }
-  judge(run, "peak stress over the load, linear, stress-point", concentration, factors);
-  judge(run, "peak stress, stress-point [Pa]", peak_stress, peaks);
-  run.relative("finite elements at rest", "way of the pulled edge, stress-point [m]", way, end,
-               1e-3);
-  run.at_most("", "kinetic over elastic energy at the end", 1e-5, restless);
-  columns.push_back(factors);
-  columns.push_back(peaks);
+  judge(run, "peak stress over the load, linear, stress-point", concentration, peaks[0].values);
+  judge(run, "peak stress, stress-point [Pa]", peak_stress, peaks[1].values);
+  run.check("finite elements at rest", "way of the pulled edge, stress-point [m]", end,
+            relative(way, 1e-3));
+  run.check("", "kinetic over elastic energy at the end", restless, at_most(1e-5));
+  columns.insert(columns.end(), peaks.begin(), peaks.end());
 }
 
 /// Stairs as in the source, and the collocated operators on both: the largest value there is.
-void step(CaseRun& run, std::vector<std::vector<double>>& columns) {
-  const auto series = [&](const char* label, const char* formulation, const char* fit) {
-    std::vector<double> largest;
+void step(CaseRun& run, std::vector<CaseColumn>& columns) {
+  const auto series = [&](const std::string& name, const char* formulation, const char* fit) {
+    std::string label = name;
+    std::ranges::replace(label, ' ', '-');
+    CaseColumn& largest = columns.emplace_back(name);
     for (const double spacing : spacings)
-      largest.push_back(AtRest(pull(run, label, formulation, spacing, {fit})).largest());
-    columns.push_back(largest);
-    return largest;
+      largest.values.push_back(AtRest(pull(run, label, formulation, spacing, {fit})).largest());
+    return largest.values;
   };
   const auto stairs = series("stairs", "stress-point", "body.fit=false");
-  const auto collocated_stairs = series("variational-stairs", "variational", "body.fit=false");
-  const auto collocated = series("variational-fitted", "variational", "body.fit=true");
-  run.at_least("corners of stairs", "growth of the peak from 40 to 80 cells, stairs, stress-point",
-               1.1, stairs[3] / stairs[2]);
-  run.at_least("corners of stairs", "growth of the peak from 40 to 80 cells, stairs, variational",
-               1.1, collocated_stairs[3] / collocated_stairs[2]);
-  run.report("thesis, Fig. 5.15", "peak stress, stairs of 21 x 21, stress-point [Pa]", stairs[1],
-             60e6);
-  run.report("thesis, Fig. 5.15", "peak stress, stairs of 21 x 21, variational [Pa]",
-             collocated_stairs[1], 60e6);
+  const auto collocated_stairs = series("variational stairs", "variational", "body.fit=false");
+  const auto collocated = series("variational fitted", "variational", "body.fit=true");
+  run.check("corners of stairs", "growth of the peak from 40 to 80 cells, stairs, stress-point",
+            stairs[3] / stairs[2], at_least(1.1));
+  run.check("corners of stairs", "growth of the peak from 40 to 80 cells, stairs, variational",
+            collocated_stairs[3] / collocated_stairs[2], at_least(1.1));
+  run.check("thesis, Fig. 5.15", "peak stress, stairs of 21 x 21, stress-point [Pa]", stairs[1],
+            reported(60e6));
+  run.check("thesis, Fig. 5.15", "peak stress, stairs of 21 x 21, variational [Pa]",
+            collocated_stairs[1], reported(60e6));
   for (std::size_t k = 0; k < spacings.size(); ++k)
-    run.report("finite elements at rest",
-               fmt::format("peak stress, fitted, variational, {0:.0f} x {0:.0f} cells [Pa]",
-                           0.05 / spacings[k]),
-               collocated[k], peak_stress);
+    run.check("finite elements at rest",
+              fmt::format("peak stress, fitted, variational, {0} x {0} cells [Pa]",
+                          cells(spacings.at(k))),
+              collocated[k], reported(peak_stress));
 }
 
 }  // namespace
 
 void sheet_with_hole(CaseRun& run) {
-  std::vector<std::vector<double>> columns = {{spacings.begin(), spacings.end()}};
+  std::vector<CaseColumn> columns = {{"spacing", spacings}};
   converge(run, columns);
   step(run, columns);
-  run.table("peaks",
-            {"spacing", "linear", "fitted", "stairs", "variational stairs", "variational fitted"},
-            columns);
+  run.table("peaks", columns);
 }
 
 }  // namespace tlsph

@@ -5,9 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "bar_wave_run.hpp"
 #include "list.hpp"
-#include "signals.hpp"
+#include "samples.hpp"
 #include "tlsph/analysis/motion_growth.hpp"
 #include "tlsph/analysis/spectrum.hpp"
 #include "tlsph/model/builder.hpp"
@@ -18,17 +17,11 @@
 namespace tlsph {
 namespace {
 
-using Settings = std::vector<std::string>;
 using Spectrum = std::vector<std::complex<double>>;
 
 const double speed = validation_bar::speed;
 const double transit = validation_bar::length / speed;
 constexpr double history = 44e-6;  // of the figure [s]
-
-Settings with(Settings set, const Settings& more) {
-  set.insert(set.end(), more.begin(), more.end());
-  return set;
-}
 
 Settings with_step(const Settings& set, double dt, double end) {
   return with(set, {fmt::format("time.step={}", dt), fmt::format("time.end={}", end),
@@ -43,8 +36,8 @@ double computed_limit(CaseRun& run, const Settings& set) {
   return run.scene("limit", "bar.toml", with(set, {"time.end=1e-7"})).summary.dt_critical;
 }
 
-double largest_stress(const BarWaveRun& wave) {
-  return peak(wave.time(), wave.stress("p2"), 0.0, wave.time().back()) / validation_bar::pressure;
+double largest_stress(const CaseScene& wave) {
+  return peak(wave.samples("p2.pk1_xx")) / validation_bar::pressure;
 }
 
 /// The growth per step [1] of the largest displacement between 1e20 and 1e100 m, of the scene's own
@@ -91,20 +84,20 @@ void around_the_limit(CaseRun& run) {
     const double computed = computed_limit(run, set);
     const double per_spacing = speed / 5e-4;
     const std::string of = ", " + formulation;
-    run.relative("spectrum of the operators", "computed limit c_p Δt/Δ" + of, limit * per_spacing,
-                 computed * per_spacing, 2e-3);
-    const BarWaveRun below(run, formulation + "-long-below", "bar.toml",
-                           with_step(set, 0.99 * computed, 100.0 * transit));
-    run.at_most("thesis, Fig. 4.10",
-                "largest stress / 100 kPa in 100 transits at 0.99 of the limit" + of, 2.0,
-                largest_stress(below));
+    run.check("spectrum of the operators", "computed limit c_p Δt/Δ" + of, computed * per_spacing,
+              relative(limit * per_spacing, 2e-3));
+    const CaseScene below = run.scene(formulation + "-long-below", "bar.toml",
+                                      with_step(set, 0.99 * computed, 100.0 * transit));
+    run.check("thesis, Fig. 4.10",
+              "largest stress / 100 kPa in 100 transits at 0.99 of the limit" + of,
+              largest_stress(below), at_most(2.0));
     const double dt = 1.02 * computed;
-    run.relative("thesis, Fig. 4.12", "growth a step at 1.02 of the limit" + of,
-                 growth_per_step(spectrum, dt), observed_growth(run, set, dt), 1e-2);
+    run.check("thesis, Fig. 4.12", "growth a step at 1.02 of the limit" + of,
+              observed_growth(run, set, dt), relative(growth_per_step(spectrum, dt), 1e-2));
     const CaseScene above =
         run.scene(formulation + "-long-above", "bar.toml", with_step(set, dt, 100.0 * transit));
-    run.at_most("books of the run", "end of a run at 1.02 of the limit, in transits" + of, 10.0,
-                above.failed_at.value_or(INFINITY) / transit);
+    run.check("books of the run", "end of a run at 1.02 of the limit, in transits" + of,
+              above.failed_at.value_or(INFINITY) / transit, at_most(10.0));
     draw_around(run, formulation, set, computed);
   }
 }
@@ -116,15 +109,13 @@ void ripples_at_the_limit(CaseRun& run) {
       R"(boundary[0].traction={ curve = "table", time = [0, 8e-6, 8.001e-6], value = [1, 1, 0], amplitude = -100e3 })";
   for (const double share : {0.5, 1.0}) {
     const double dt = share * 5e-4 / speed;
-    const BarWaveRun wave(
-        run, fmt::format("square-{}", share), "bar.toml",
+    const CaseScene wave = run.scene(
+        fmt::format("square-{}", share), "bar.toml",
         with_step({"formulation=stress-point", square}, dt, std::round(history / dt) * dt));
-    const std::string words =
-        fmt::format("largest stress of a square pulse / 100 kPa, c Δt = {} Δ, stress-point", share);
-    if (share == 1.0)
-      run.relative("thesis, Fig. 4.11", words, 1.0, largest_stress(wave), 1e-6);
-    else
-      run.report("thesis, Fig. 4.11", words, largest_stress(wave), 1.0);
+    run.check(
+        "thesis, Fig. 4.11",
+        fmt::format("largest stress of a square pulse / 100 kPa, c Δt = {} Δ, stress-point", share),
+        largest_stress(wave), share == 1.0 ? relative(1.0, 1e-6) : reported(1.0));
   }
 }
 
@@ -137,30 +128,31 @@ void rule_of_the_thesis(CaseRun& run) {
                            "kernel.support=5.5"};
   const Settings fine = with(coarse, {fmt::format("body.spacing={}", spacing)});
   const double nanoseconds = 1e9;
-  run.report("thesis, (4.47)", "h/c_b, 1000 spacings, support 5.5 [ns]", rule * nanoseconds, 165.0);
+  run.check("thesis, (4.47)", "h/c_b, 1000 spacings, support 5.5 [ns]", rule * nanoseconds,
+            reported(165.0));
   const Spectrum spectrum = spectrum_of(run, coarse);
   // The limit is in proportion to the spacing.
   const double limit = spacing / 5e-4 * 2.0 / std::sqrt(std::abs(spectrum.front()));
   const double computed = computed_limit(run, fine);
-  run.relative("spectrum of the operators", "limit, 1D strain, support 5.5, thesis as printed [ns]",
-               limit * nanoseconds, computed * nanoseconds, 2e-3);
-  run.relative("thesis, (4.47)", "growth a step at h/c_b, 1D strain, thesis as printed",
-               growth_per_step(spectrum, rule * 5e-4 / spacing), observed_growth(run, fine, rule),
-               1e-2);
+  run.check("spectrum of the operators", "limit, 1D strain, support 5.5, thesis as printed [ns]",
+            computed * nanoseconds, relative(limit * nanoseconds, 2e-3));
+  run.check("thesis, (4.47)", "growth a step at h/c_b, 1D strain, thesis as printed",
+            observed_growth(run, fine, rule),
+            relative(growth_per_step(spectrum, rule * 5e-4 / spacing), 1e-2));
   const Settings stress = with(fine, {"material.assumption=stress"});
-  run.report("thesis, Algorithm 4.1", "limit with E in place of λ + 2μ, support 5.5 [ns]",
-             computed_limit(run, stress) * nanoseconds);
-  const BarWaveRun bar(run, "thesis-rule-stress", "bar.toml", with_step(stress, rule, history));
-  run.at_most("thesis, Algorithm 4.1",
-              "largest stress / 100 kPa at h/c_b with E, thesis as printed", 2.0,
-              largest_stress(bar));
+  run.check("thesis, Algorithm 4.1", "limit with E in place of λ + 2μ, support 5.5 [ns]",
+            computed_limit(run, stress) * nanoseconds, reported());
+  const CaseScene bar =
+      run.scene("thesis-rule-stress", "bar.toml", with_step(stress, rule, history));
+  run.check("thesis, Algorithm 4.1", "largest stress / 100 kPa at h/c_b with E, thesis as printed",
+            largest_stress(bar), at_most(2.0));
   draw_around(run, "thesis", fine, computed);
 }
 
 /// What grows at any step, as the operators are not adjoint.
 void growth_of_the_operators(CaseRun& run) {
   const double per_spacing = 5e-4 / speed;
-  std::vector<std::vector<double>> table(3);
+  std::vector<CaseColumn> table = {{"closure"}, {"growth"}, {"frequency"}};
   for (const double support : {2.5, 3.5, 5.5}) {
     int number = 0;
     for (const std::string closure : {"consistent", "as-printed", "eta", "mirror"}) {
@@ -172,26 +164,22 @@ void growth_of_the_operators(CaseRun& run) {
       const double growth = growth_rate(spectrum) * per_spacing;
       const std::string of =
           fmt::format(", {}{}, support {}", thesis ? "thesis " : "", closure, support);
-      if (thesis)
-        run.report("thesis, (2.46)", "growth at any step [c/Δ]" + of, growth);
-      else
-        run.at_most("spectrum of the operators", "growth at any step [c/Δ]" + of, 1e-6, growth);
+      run.check(thesis ? "thesis, (2.46)" : "spectrum of the operators",
+                "growth at any step [c/Δ]" + of, growth, thesis ? reported() : at_most(1e-6));
       if (support == 5.5)
         for (const std::complex<double>& square : spectrum) {
           const std::complex<double> s = std::sqrt(-square) * per_spacing;
-          table[0].push_back(number);
-          table[1].push_back(s.real());
-          table[2].push_back(std::abs(s.imag()));
+          add_row(table, {static_cast<double>(number), s.real(), std::abs(s.imag())});
         }
       ++number;
       if (closure != "consistent" || support != 5.5) continue;
       const double dt = 0.9 * computed_limit(run, set);
       (void)run.scene("thesis-long-consistent", "bar.toml", with_step(set, dt, 100.0 * transit));
-      run.relative("spectrum of the operators", "growth a step at 0.9 of the limit" + of,
-                   growth_per_step(spectrum, dt), observed_growth(run, set, dt), 1e-2);
+      run.check("spectrum of the operators", "growth a step at 0.9 of the limit" + of,
+                observed_growth(run, set, dt), relative(growth_per_step(spectrum, dt), 1e-2));
     }
   }
-  run.table("spectrum", {"closure", "growth", "frequency"}, table);
+  run.table("spectrum", table);
 }
 
 }  // namespace

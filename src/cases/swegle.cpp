@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "list.hpp"
-#include "run_series.hpp"
 #include "tlsph/analysis/motion_growth.hpp"
 #include "tlsph/contrast/current_lattice.hpp"
 #include "tlsph/core/error.hpp"
@@ -34,7 +33,7 @@ constexpr double first_energy = 0.5 * density * spacing * spacing * push * push;
 
 struct Formulation {
   std::string name;
-  std::vector<std::string> overrides;
+  Settings settings;
 };
 
 std::string rollers(double stretch) {
@@ -57,39 +56,36 @@ std::vector<Formulation> formulations(double stretch) {
           {"thesis", {"formulation=thesis", kernel, rollers(stretch)}}};
 }
 
-/// Every n-th value.
-std::vector<double> thinned(const std::vector<double>& values, std::size_t n) {
-  std::vector<double> result;
-  for (std::size_t k = 0; k < values.size(); k += n) result.push_back(values[k]);
-  return result;
+/// A table of every n-th row.
+std::vector<CaseColumn> thinned(std::vector<CaseColumn> table, std::size_t n) {
+  for (CaseColumn& column : table) {
+    std::vector<double> kept;
+    for (std::size_t k = 0; k < column.values.size(); k += n) kept.push_back(column.values[k]);
+    column.values = std::move(kept);
+  }
+  return table;
 }
 
 /// Every formulation at one stretch; the energy over time goes to total-<name>.csv.
 void total_lagrangian(CaseRun& run, const char* name, double stretch) {
-  std::vector<std::string> columns = {"time"};
-  std::vector<std::vector<double>> values;
-  for (auto& [formulation, overrides] : formulations(stretch)) {
-    overrides.push_back(
-        fmt::format("initial.displacement={{gradient=[[{0}, 0.0], [0.0, {0}]]}}", stretch));
+  const std::string initial =
+      fmt::format("initial.displacement={{gradient=[[{0}, 0.0], [0.0, {0}]]}}", stretch);
+  std::vector<CaseColumn> table;
+  for (const auto& [formulation, settings] : formulations(stretch)) {
     const CaseScene scene =
-        run.scene(fmt::format("{}-{}", formulation, name), "sheet.toml", overrides);
-    RunSeries kinetic = read_series(scene.directory, "kinetic");
+        run.scene(fmt::format("{}-{}", formulation, name), "sheet.toml", with(settings, {initial}));
+    if (table.empty()) table.emplace_back("time", scene.data("series/time"));
+    CaseColumn& kinetic = table.emplace_back(formulation, scene.data("series/kinetic"));
     for (double& energy : kinetic.values) energy /= first_energy;
-    const double largest = *std::ranges::max_element(kinetic.values);
-    const std::string quantity =
-        fmt::format("largest kinetic energy over the first, 10 000 steps in {}, {}", name,
-                    formulation == "uncorrected" ? "variational without correction" : formulation);
     // Its ghosts are solved for, and do not keep a uniform stretch uniform at a moved edge.
-    if (formulation == "thesis")
-      run.report(still, quantity, largest);
-    else
-      run.at_most(still, quantity, 1.001, largest);
-    if (values.empty()) values.push_back(kinetic.time);
-    columns.push_back(formulation);
-    values.push_back(std::move(kinetic.values));
+    const Claim claim = formulation == "thesis" ? reported() : at_most(1.001);
+    run.check(
+        still,
+        fmt::format("largest kinetic energy over the first, 10 000 steps in {}, {}", name,
+                    formulation == "uncorrected" ? "variational without correction" : formulation),
+        std::ranges::max(kinetic.values), claim);
   }
-  for (auto& column : values) column = thinned(column, 4);
-  run.table(fmt::format("total-{}", name), columns, values);
+  run.table(fmt::format("total-{}", name), thinned(table, 4));
 }
 
 /// What bare clamped edges do to a collocated formulation: scenes refuse it, so the run is made
@@ -104,8 +100,8 @@ void thin_layers(CaseRun& run) {
   } catch (const InputError&) {
     refused = 1.0;
   }
-  run.absolute("this project", "scene with bare clamped edges, variational, is refused (1: yes)",
-               1.0, refused, 0.0);
+  run.check("this project", "scene with bare clamped edges, variational, is refused (1: yes)",
+            refused, absolute(1.0, 0.0));
 
   Stepper<2> stepper(disc, strain * disc.particles.X, VectorField<2>::Zero(disc.nodes(), 2),
                      {.step = 3e-8, .sweep = false, .balance_every = 0});
@@ -114,8 +110,8 @@ void thin_layers(CaseRun& run) {
     stepper.step();
     largest = std::max(largest, 0.5 * disc.mass.dot(stepper.state().v.rowwise().squaredNorm()));
   }
-  run.report("this project", "kinetic energy over the first that it would have had",
-             largest / first_energy);
+  run.check("this project", "kinetic energy over the first that it would have had",
+            largest / first_energy, reported());
 }
 
 template <int D>
@@ -158,26 +154,25 @@ double rate_of(const Growth& growth) {
 }
 
 void stress_levels(CaseRun& run) {
-  std::vector<double> levels, theory, line, sheet_theory, sheet;
+  std::vector<CaseColumn> table = {
+      {"stress"}, {"theory_1d"}, {"measured_1d"}, {"theory_2d"}, {"measured_2d"}};
   for (const double s : {0.0125, 0.025, 0.05, 0.1}) {
-    levels.push_back(s);
-    theory.push_back(fastest_growth<1>(current<1>(s)).rate * unit);
-    sheet_theory.push_back(
-        linear_growth_rate(current_lattice<2>(current<2>(s), sheet_counts, held)) * unit);
-    const double end = 20.0 * unit / theory.back();
-    line.push_back(rate_of(updated_lagrangian<1>(s, {201}, end)));
-    sheet.push_back(rate_of(updated_lagrangian<2>(s, sheet_counts, end)));
-    run.relative(grows,
-                 fmt::format("growth rate, 1D, stress {:g} ρc², updated Lagrangian [c/Δ]", s),
-                 theory.back(), line.back(), 0.03);
-    run.relative(grows,
-                 fmt::format("growth rate, 25 × 25, stress {:g} ρc², updated Lagrangian [c/Δ]", s),
-                 sheet_theory.back(), sheet.back(), 0.03);
+    const double line = fastest_growth<1>(current<1>(s)).rate * unit;
+    const double sheet =
+        linear_growth_rate(current_lattice<2>(current<2>(s), sheet_counts, held)) * unit;
+    const double end = 20.0 * unit / line;
+    const double line_seen = rate_of(updated_lagrangian<1>(s, {201}, end));
+    const double sheet_seen = rate_of(updated_lagrangian<2>(s, sheet_counts, end));
+    run.check(grows, fmt::format("growth rate, 1D, stress {:g} ρc², updated Lagrangian [c/Δ]", s),
+              line_seen, relative(line, 0.03));
+    run.check(grows,
+              fmt::format("growth rate, 25 × 25, stress {:g} ρc², updated Lagrangian [c/Δ]", s),
+              sheet_seen, relative(sheet, 0.03));
+    add_row(table, {s, line, line_seen, sheet, sheet_seen});
   }
-  run.report(grows, "growth rate, 2D, stress 0.05 ρc², unbounded lattice, by its symbol [c/Δ]",
-             fastest_growth<2>(current<2>(ratio)).rate * unit);
-  run.table("rates", {"stress", "theory_1d", "measured_1d", "theory_2d", "measured_2d"},
-            {levels, theory, line, sheet_theory, sheet});
+  run.check(grows, "growth rate, 2D, stress 0.05 ρc², unbounded lattice, by its symbol [c/Δ]",
+            fastest_growth<2>(current<2>(ratio)).rate * unit, reported());
+  run.table("rates", table);
 }
 
 }  // namespace
@@ -190,18 +185,15 @@ void swegle(CaseRun& run) {
 
   const Growth tension = updated_lagrangian<2>(ratio, sheet_counts, 72.0 * unit);
   const Growth compression = updated_lagrangian<2>(-ratio, sheet_counts, 150.0 * unit);
-  run.at_least(grows, "kinetic energy over the first at t = 40 Δ/c in tension, updated Lagrangian",
-               1e6, tension.energy.at(799));
-  run.at_most("Cranfield thesis, sec. 3.3.1",
-              "largest kinetic energy over the first in compression, updated Lagrangian", 1.001,
-              *std::ranges::max_element(compression.energy));
-  run.table("updated-tension", {"time", "energy"},
-            {thinned(tension.time, 10), thinned(tension.energy, 10)});
-  run.table("updated-compression", {"time", "energy"},
-            {thinned(compression.time, 10), thinned(compression.energy, 10)});
-  const VectorField<2>& x = tension.clumped.x;
-  run.table("clumps", {"x", "y"},
-            {{x.col(0).begin(), x.col(0).end()}, {x.col(1).begin(), x.col(1).end()}});
+  run.check(grows, "kinetic energy over the first at t = 40 Δ/c in tension, updated Lagrangian",
+            tension.energy.at(799), at_least(1e6));
+  run.check("Cranfield thesis, sec. 3.3.1",
+            "largest kinetic energy over the first in compression, updated Lagrangian",
+            std::ranges::max(compression.energy), at_most(1.001));
+  for (const auto& [name, growth] :
+       {std::pair{"updated-tension", &tension}, {"updated-compression", &compression}})
+    run.table(name, thinned({{"time", growth->time}, {"energy", growth->energy}}, 10));
+  run.table("clumps", {{"x", tension.clumped.x.col(0)}, {"y", tension.clumped.x.col(1)}});
 }
 
 }  // namespace tlsph

@@ -4,9 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "bar_wave_run.hpp"
 #include "list.hpp"
-#include "signals.hpp"
+#include "samples.hpp"
 #include "validation_bar.hpp"
 
 namespace tlsph {
@@ -37,24 +36,21 @@ void three_materials(CaseRun& run) {
   constexpr double middle_of_load = 3 * 0.5e-6 + validation_bar::duration / 2;
   for (const std::string formulation : {"thesis", "mirror", "stress-point", "variational"})
     for (const Configuration& material : configurations) {
-      const BarWaveRun wave(
-          run, fmt::format("{}-{}", formulation, material.number), "bar.toml",
-          {"formulation=" + formulation, fmt::format("material.young={}", material.young),
-           fmt::format("material.density={}", material.density)});
-      const double lapse = reaches(wave.time(), wave.stress("p3"), half) -
-                           reaches(wave.time(), wave.stress("p2"), half);
+      const CaseScene wave =
+          run.scene(fmt::format("{}-{}", formulation, material.number), "bar.toml",
+                    {"formulation=" + formulation, fmt::format("material.young={}", material.young),
+                     fmt::format("material.density={}", material.density)});
+      const double lapse =
+          reaches(wave.samples("p3.pk1_xx"), half) - reaches(wave.samples("p2.pk1_xx"), half);
       const std::string of = fmt::format(", configuration {}, {}", material.number, formulation);
-      const bool thesis = formulation == "thesis";
-      run.relative("thesis, Fig. 4.14", "wave speed" + of + " [m/s]", material.speed(),
-                   0.05 / lapse, within(formulation));
+      run.check("thesis, Fig. 4.14", "wave speed" + of + " [m/s]", 0.05 / lapse,
+                relative(material.speed(), within(formulation)));
       if (material.number != 3) continue;
       const double back = middle_of_load + 0.35 / material.speed();
-      const double tension = mean(wave.time(), wave.stress("p2"), back - 2e-6, back + 2e-6);
-      const std::string words = "tension at 0.05 m, back from the left end" + of + " [Pa]";
-      if (thesis)
-        run.report("thesis, Fig. 4.14", words, tension, validation_bar::pressure);
-      else
-        run.relative("thesis, Fig. 4.14", words, validation_bar::pressure, tension, 2e-3);
+      constexpr double pressure = validation_bar::pressure;
+      run.check("thesis, Fig. 4.14", "tension at 0.05 m, back from the left end" + of + " [Pa]",
+                mean(wave.samples("p2.pk1_xx"), back - 2e-6, back + 2e-6),
+                formulation == "thesis" ? reported(pressure) : relative(pressure, 2e-3));
     }
 }
 

@@ -5,16 +5,20 @@
 #include <cmath>
 
 #include "tlsph/analysis/spectrum.hpp"
-#include "tlsph/dynamics/state.hpp"
 #include "tlsph/stepping/linearised_forces.hpp"
 
 namespace tlsph {
 
 template <int D>
+State<D> state_at_rest(const Discretisation<D>& disc) {
+  const VectorField<D> zero = VectorField<D>::Zero(disc.nodes(), D);
+  return make_state<D>(disc, zero, zero);
+}
+
+template <int D>
 SparseMatrix dynamical_matrix(const Discretisation<D>& disc) {
-  const State<D> state = make_state<D>(disc, VectorField<D>::Zero(disc.nodes(), D),
-                                       VectorField<D>::Zero(disc.nodes(), D));
-  return LinearisedForces<D>(disc, state).dynamical_matrix();
+  const State<D> rest = state_at_rest<D>(disc);
+  return LinearisedForces<D>(disc, rest).dynamical_matrix();
 }
 
 template <int D>
@@ -27,8 +31,7 @@ std::vector<double> squared_frequencies(const Discretisation<D>& disc) {
 
 template <int D>
 SparseMatrix torus_matrix(const Discretisation<D>& disc, int nodes) {
-  State<D> state = make_state<D>(disc, VectorField<D>::Zero(disc.nodes(), D),
-                                 VectorField<D>::Zero(disc.nodes(), D));
+  State<D> state = state_at_rest<D>(disc);
   const LatticeFrame<D>& frame = *disc.particles.frame;
   std::array<int, D> middle;
   LatticeFrame<D> torus = frame;
@@ -70,6 +73,8 @@ double squared_frequency(const Discretisation<1>& bar, Index centre, double k) {
   return -bar.inverse_mass(centre, 0) * state.f(centre, 0);
 }
 
+template State<1> state_at_rest<1>(const Discretisation<1>&);
+template State<2> state_at_rest<2>(const Discretisation<2>&);
 template SparseMatrix dynamical_matrix<1>(const Discretisation<1>&);
 template SparseMatrix dynamical_matrix<2>(const Discretisation<2>&);
 template SparseMatrix torus_matrix<1>(const Discretisation<1>&, int);

@@ -4,9 +4,13 @@
 
 #include <vector>
 
-#include "tlsph/formulations/discretisation.hpp"
+#include "tlsph/dynamics/state.hpp"
 
 namespace tlsph {
+
+/// The body undeformed and at rest, its forces not yet evaluated.
+template <int D>
+[[nodiscard]] State<D> state_at_rest(const Discretisation<D>& discretisation);
 
 /// M^-½ K M^-½ over the degrees of freedom that are free [1/s²], K = −∂f/∂u column by column from
 /// the forces of the run itself, stabiliser included. Linear laws only; N² time.

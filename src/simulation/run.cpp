@@ -10,6 +10,7 @@
 #include "tlsph/core/free_cores.hpp"
 #include "tlsph/core/stop.hpp"
 #include "tlsph/core/stopwatch.hpp"
+#include "tlsph/core/thread_count.hpp"
 #include "tlsph/io/files.hpp"
 #include "tlsph/linear/blas_threads.hpp"
 #include "tlsph/model/builder.hpp"
@@ -21,18 +22,6 @@ namespace {
 
 /// Below this many particles a second thread costs more than it brings.
 constexpr Index one_thread_below = 2000;
-
-/// Sets the number of threads and, when it goes, what it was before.
-class ThreadCount {
- public:
-  explicit ThreadCount(int count) { omp_set_num_threads(count); }
-  ThreadCount(const ThreadCount&) = delete;
-  ThreadCount& operator=(const ThreadCount&) = delete;
-  ~ThreadCount() { omp_set_num_threads(before_); }
-
- private:
-  int before_ = omp_get_max_threads();
-};
 
 template <int D>
 void describe(const Scene& scene, const Discretisation<D>& disc, Summary& summary) {

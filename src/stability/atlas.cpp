@@ -1,9 +1,7 @@
 #include "tlsph/stability/atlas.hpp"
 
 #include <fmt/format.h>
-#include <omp.h>
 
-#include <chrono>
 #include <regex>
 
 #include "contrast.hpp"
@@ -14,6 +12,8 @@
 #include "tlsph/core/dimensions.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/core/stop.hpp"
+#include "tlsph/core/stopwatch.hpp"
+#include "tlsph/core/thread_count.hpp"
 #include "tlsph/io/files.hpp"
 #include "tlsph/linear/blas_threads.hpp"
 #include "tlsph/simulation/version.hpp"
@@ -33,19 +33,13 @@ std::regex pattern_of(const std::string& only) {
 /// One thread as long as it lives: bodies are small, and times are to mean something.
 class OneThread {
  public:
-  OneThread() {
-    omp_set_num_threads(1);
-    set_blas_threads(1);
-  }
+  OneThread() { set_blas_threads(1); }
   OneThread(const OneThread&) = delete;
   OneThread& operator=(const OneThread&) = delete;
-  ~OneThread() {
-    omp_set_num_threads(before_);
-    set_blas_threads(before_);
-  }
+  ~OneThread() { set_blas_threads(count_.before()); }
 
  private:
-  int before_ = omp_get_max_threads();
+  ThreadCount count_{1};
 };
 
 /// One of the pieces the atlas is drawn of.
@@ -114,7 +108,7 @@ Safety Atlas::safety() const {
 }
 
 Atlas draw_atlas(const AtlasRequest& request, const AtlasOptions& options) {
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const OneThread one;
   const std::regex only = pattern_of(request.only);
   const Subject subject = read_subject(request.scene, request.overrides);
@@ -149,7 +143,7 @@ Atlas draw_atlas(const AtlasRequest& request, const AtlasOptions& options) {
     done += piece.weight;
   }
   atlas.failures = failures_of(atlas);
-  atlas.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  atlas.seconds = watch.seconds();
   return atlas;
 }
 

@@ -44,7 +44,7 @@ std::string letters(const std::vector<const AtlasRow*>& rows) {
       text += " | ";
     else if (last != nullptr && row->poisson != last->poisson)
       text += ' ';
-    text += verdict_letter(row->verdict);
+    text += name_of(row->verdict).letter;
     last = row;
   }
   return text;
@@ -123,7 +123,7 @@ Table<AtlasRow> state_table() {
       {"poisson", &Row::poisson},
       {"stretch", &Row::stretch},
       {"particles", known(&Row::particles)},
-      {"verdict", [](const Row& row) { return verdict_name(row.verdict); }},
+      {"verdict", [](const Row& row) { return name_of(row.verdict).name; }},
       {"refusal", &Row::refusal},
       {"acoustic", &Row::acoustic},
       {"imbalance", &Row::imbalance},

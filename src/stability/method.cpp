@@ -128,25 +128,23 @@ std::string StateKey::name() const {
 }
 
 std::vector<StateKey> atlas_states(int dimension, double poisson) {
-  const std::vector<double> stretches =
-      dimension == 1 ? std::vector<double>{0.2, 0.5, 0.8, 1.0, 1.5, 2.0, 4.0, 6.0}
-                     : std::vector<double>{0.2, 0.5, 1.0, 1.5, 4.0};
-  const std::vector<double> few_stretches =
-      dimension == 1 ? std::vector<double>{0.5, 1.0, 4.0} : std::vector<double>{0.5, 1.0, 1.5};
-  std::vector<double> ratios = {poisson};
-  for (const double ratio :
-       dimension == 1 ? std::vector<double>{0.48, 0.49, 0.4999} : std::vector<double>{0.49, 0.4999})
+  using List = std::vector<double>;
+  const bool bar = dimension == 1;
+  const List stretches =
+      bar ? List{0.2, 0.5, 0.8, 1.0, 1.5, 2.0, 4.0, 6.0} : List{0.2, 0.5, 1.0, 1.5, 4.0};
+  const List few_stretches = bar ? List{0.5, 1.0, 4.0} : List{0.5, 1.0, 1.5};
+  List ratios = {poisson};
+  for (const double ratio : bar ? List{0.48, 0.49, 0.4999} : List{0.49, 0.4999})
     if (ratio != poisson) ratios.push_back(ratio);
   std::vector<StateKey> states;
   for (const Method& method : atlas_methods(dimension)) {
     const bool all = method.cover == Cover::all;
-    const std::vector<double> nu = all ? ratios : std::vector<double>{poisson};
-    const std::vector<double> lambda = all                                ? stretches
-                                       : method.cover == Cover::reference ? std::vector<double>{1.0}
-                                                                          : few_stretches;
-    std::vector<double> jitters = {0.0};
-    if (!method.lattice)
-      jitters = all ? std::vector<double>{0.0, 0.2, 0.4} : std::vector<double>{0.0, 0.2};
+    const List nu = all ? ratios : List{poisson};
+    const List lambda = all                                ? stretches
+                        : method.cover == Cover::reference ? List{1.0}
+                                                           : few_stretches;
+    List jitters = {0.0};
+    if (!method.lattice) jitters = all ? List{0.0, 0.2, 0.4} : List{0.0, 0.2};
     for (const double jitter : jitters)
       for (const double ratio : nu)
         for (const double stretch : lambda) states.push_back({method, 0, jitter, ratio, stretch});

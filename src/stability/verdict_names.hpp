@@ -2,47 +2,28 @@
 /// \file
 /// How tables call the verdicts.
 
+#include <algorithm>
+#include <array>
 #include <string_view>
 
 #include "tlsph/stability/atlas.hpp"
 
 namespace tlsph {
 
-[[nodiscard]] constexpr std::string_view verdict_name(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::refused:
-      return "refused";
-    case Verdict::material:
-      return "material";
-    case Verdict::negative:
-      return "negative";
-    case Verdict::growing:
-      return "growing";
-    case Verdict::soft:
-      return "soft";
-    case Verdict::stable:
-      break;
-  }
-  return "stable";
-}
+struct VerdictName {
+  Verdict verdict;
+  std::string_view name;
+  char letter;
+};
+inline constexpr std::array verdict_names = {VerdictName{Verdict::refused, "refused", 'R'},
+                                             VerdictName{Verdict::material, "material", 'm'},
+                                             VerdictName{Verdict::negative, "negative", 'N'},
+                                             VerdictName{Verdict::growing, "growing", 'G'},
+                                             VerdictName{Verdict::soft, "soft", 's'},
+                                             VerdictName{Verdict::stable, "stable", '.'}};
 
-/// The same in one letter.
-[[nodiscard]] constexpr char verdict_letter(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::refused:
-      return 'R';
-    case Verdict::material:
-      return 'm';
-    case Verdict::negative:
-      return 'N';
-    case Verdict::growing:
-      return 'G';
-    case Verdict::soft:
-      return 's';
-    case Verdict::stable:
-      break;
-  }
-  return '.';
+[[nodiscard]] constexpr const VerdictName& name_of(Verdict verdict) {
+  return *std::ranges::find(verdict_names, verdict, &VerdictName::verdict);
 }
 
 }  // namespace tlsph

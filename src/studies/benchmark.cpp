@@ -1,7 +1,6 @@
 #include "tlsph/studies/benchmark.hpp"
 
 #include <fmt/format.h>
-#include <omp.h>
 
 #include <algorithm>
 #include <array>
@@ -12,6 +11,7 @@
 
 #include "tlsph/core/cpu_clock.hpp"
 #include "tlsph/core/dimensions.hpp"
+#include "tlsph/core/thread_count.hpp"
 #include "tlsph/model/builder.hpp"
 #include "tlsph/scene/reader.hpp"
 #include "tlsph/stepping/critical_step.hpp"
@@ -92,18 +92,6 @@ VectorField<D> wave(const VectorField<D>& X) {
   return u;
 }
 
-/// While it lives, OpenMP has one thread.
-class OneThread {
- public:
-  OneThread() { omp_set_num_threads(1); }
-  OneThread(const OneThread&) = delete;
-  OneThread& operator=(const OneThread&) = delete;
-  ~OneThread() { omp_set_num_threads(before_); }
-
- private:
-  int before_ = omp_get_max_threads();
-};
-
 /// CPU seconds of this thread for one call, in batches of so many: the fastest and the median
 /// batch. Of a team that is its time on a machine whose cores it has for itself.
 template <class Call>
@@ -163,7 +151,7 @@ BenchmarkRow measure(const Case& entry, const BenchmarkOptions& options,
   row.spread = median / fastest - 1.0;
   if (entry.plain) {
     PlainStep<D> plain(disc, state.u);
-    const OneThread alone;  // Eigen shares its products among all there are
+    const ThreadCount alone(1);  // Eigen shares its products among all there are
     row.plain_ns = timed(0.5 * options.seconds, [&] { plain.step(dt); })[0] * 1e9 / particles;
   }
   const double entries = static_cast<double>(disc.gradient.nonzeros()) / particles;
@@ -212,10 +200,8 @@ BenchmarkTable benchmark(const BenchmarkOptions& options) {
     table.multiply_adds_per_second =
         std::max(table.multiply_adds_per_second, peak_multiply_adds(2'000'000));
   for (const Case& entry : cases(table.cores)) {
-    if (options.stop_requested != nullptr && *options.stop_requested) {
-      table.interrupted = true;
-      break;
-    }
+    table.interrupted = options.stopped();
+    if (table.interrupted) break;
     if (options.before_case) options.before_case(entry.name);
     table.rows.push_back(
         in_dimension(entry.dimension, [&]<int D>() { return measure<D>(entry, options, table); }));

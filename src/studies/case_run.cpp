@@ -1,15 +1,24 @@
 #include <algorithm>
-#include <cassert>
 #include <cmath>
-#include <limits>
 
 #include "tlsph/core/error.hpp"
 #include "tlsph/io/csv.hpp"
 #include "tlsph/io/files.hpp"
+#include "tlsph/io/hdf5.hpp"
 #include "tlsph/scene/reader.hpp"
 #include "tlsph/studies/validation.hpp"
 
 namespace tlsph {
+namespace {
+
+Samples column(const History& history, std::string_view name, const std::filesystem::path& file) {
+  const auto found = std::ranges::find(history.names, name);
+  if (found == history.names.end())
+    throw InputError({file.string(), 0, 0, ""}, "no column \"" + std::string(name) + "\"");
+  return {history.time, history.values[static_cast<std::size_t>(found - history.names.begin())]};
+}
+
+}  // namespace
 
 bool Check::holds() const {
   switch (criterion) {
@@ -28,12 +37,35 @@ bool Check::holds() const {
 }
 
 std::span<const double> CaseScene::probe(std::string_view name) const {
-  const History& history = probes.computed;
-  const auto found = std::ranges::find(history.names, name);
-  if (found == history.names.end())
-    throw InputError({(directory / "probes.csv").string(), 0, 0, ""},
-                     "no column \"" + std::string(name) + "\"");
-  return history.values[static_cast<std::size_t>(found - history.names.begin())];
+  return samples(name).values;
+}
+
+Samples CaseScene::samples(std::string_view name) const {
+  return column(history, name, directory / "probes.csv");
+}
+
+Samples CaseScene::exact_samples(std::string_view name) const {
+  return column(exact, name, directory / "probes_exact.csv");
+}
+
+std::vector<double> CaseScene::data(const std::string& item) const {
+  return Hdf5File::open_read_only(directory / "run.h5").read_doubles(item).values;
+}
+
+std::optional<std::vector<double>> CaseScene::frame(const std::string& field, std::size_t k) const {
+  const auto file = Hdf5File::open_read_only(directory / "run.h5");
+  const std::string item = "frames/" + field;
+  if (file.rows(item) <= k) return std::nullopt;
+  return file.read_rows(item, k, 1).values;
+}
+
+Settings with(Settings settings, const Settings& more) {
+  settings.insert(settings.end(), more.begin(), more.end());
+  return settings;
+}
+
+void add_row(std::vector<CaseColumn>& table, const std::vector<double>& row) {
+  for (std::size_t c = 0; c < table.size(); ++c) table[c].values.push_back(row.at(c));
 }
 
 CaseRun::CaseRun(std::filesystem::path folder, std::filesystem::path out)
@@ -41,64 +73,57 @@ CaseRun::CaseRun(std::filesystem::path folder, std::filesystem::path out)
   make_output_directory(out_);
 }
 
-Scene CaseRun::read(const std::string& file, const std::vector<std::string>& overrides) const {
+Scene CaseRun::read(const std::string& file, const Settings& overrides) const {
   return read_scene(folder_ / file, overrides);
 }
 
 CaseScene CaseRun::scene(const std::string& label, const std::string& file,
-                         const std::vector<std::string>& overrides) {
+                         const Settings& overrides) {
   const Scene described = read(file, overrides);
   CaseScene result;
   result.directory = out_ / label;
   RunOptions options;
   options.out = result.directory;
   options.threads = 1;
-  options.histories = &result.probes;
+  ProbeHistories probes;
+  options.histories = &probes;
   try {
     result.summary = tlsph::run(described, options);
   } catch (const NumericalError& error) {
     result.failed_at = error.time();
     result.failure = error.what();
   }
+  result.history = std::move(probes.computed);
+  result.exact = std::move(probes.exact);
   return result;
 }
 
-void CaseRun::relative(std::string source, std::string quantity, double reference, double observed,
-                       double tolerance) {
-  checks_.push_back({std::move(source), std::move(quantity), Criterion::relative, reference,
-                     observed, tolerance});
+ConvergenceTable CaseRun::converge(const std::string& file, const Settings& overrides,
+                                   const std::vector<double>& spacings) const {
+  ConvergenceRequest request;
+  request.scene = folder_ / file;
+  request.overrides = overrides;
+  request.spacings = spacings;
+  ConvergenceOptions options;
+  options.threads = 1;
+  ConvergenceTable table = tlsph::converge(request, options);
+  for (const ConvergenceRow& row : table.rows)
+    if (!row.failure.empty()) throw NumericalError(row.failure, 0.0, -1);
+  return table;
 }
 
-void CaseRun::absolute(std::string source, std::string quantity, double reference, double observed,
-                       double tolerance) {
-  checks_.push_back({std::move(source), std::move(quantity), Criterion::absolute, reference,
-                     observed, tolerance});
+void CaseRun::check(std::string source, std::string quantity, double observed, const Claim& claim) {
+  checks_.push_back({std::move(source), std::move(quantity), claim.criterion, claim.reference,
+                     observed, claim.tolerance});
 }
 
-void CaseRun::at_most(std::string source, std::string quantity, double limit, double observed) {
-  checks_.push_back(
-      {std::move(source), std::move(quantity), Criterion::at_most, limit, observed, 0.0});
-}
-
-void CaseRun::at_least(std::string source, std::string quantity, double limit, double observed) {
-  checks_.push_back(
-      {std::move(source), std::move(quantity), Criterion::at_least, limit, observed, 0.0});
-}
-
-void CaseRun::report(std::string source, std::string quantity, double observed,
-                     std::optional<double> claimed) {
-  checks_.push_back({std::move(source), std::move(quantity), Criterion::reported,
-                     claimed.value_or(std::numeric_limits<double>::quiet_NaN()), observed, 0.0});
-}
-
-void CaseRun::table(const std::string& name, const std::vector<std::string>& columns,
-                    const std::vector<std::vector<double>>& values) const {
-  assert(columns.size() == values.size());
-  CsvWriter csv(out_ / (name + ".csv"), columns);
+void CaseRun::table(const std::string& name, const std::vector<CaseColumn>& columns) const {
+  std::vector<std::string> names;
+  for (const CaseColumn& column : columns) names.push_back(column.name);
+  CsvWriter csv(out_ / (name + ".csv"), names);
   std::vector<double> row(columns.size());
-  const std::size_t rows = values.empty() ? 0 : values.front().size();
-  for (std::size_t k = 0; k < rows; ++k) {
-    for (std::size_t c = 0; c < columns.size(); ++c) row[c] = values[c].at(k);
+  for (std::size_t k = 0; k < columns.front().values.size(); ++k) {
+    for (std::size_t c = 0; c < columns.size(); ++c) row[c] = columns[c].values.at(k);
     csv.row(std::span<const double>(row));
   }
   csv.close();

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "chart_answers.hpp"
@@ -12,7 +11,9 @@
 #include "chart_plan.hpp"
 #include "chart_variants.hpp"
 #include "probe_values.hpp"
+#include "tlsph/analysis/not_known.hpp"
 #include "tlsph/core/error.hpp"
+#include "tlsph/core/stopwatch.hpp"
 #include "tlsph/io/files.hpp"
 #include "tlsph/io/new_files.hpp"
 #include "tlsph/scene/reader.hpp"
@@ -21,8 +22,6 @@
 
 namespace tlsph {
 namespace {
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// Parts of the budget: peers, when there are any; a first look at every family; the front's times
 /// once more.
@@ -68,9 +67,9 @@ class ChartStudy {
   }
 
   ChartTable run() {
-    const std::vector<double> answers = find_answers(
-        request_, plan_.scene.body.spacing, options_.threads, options_.out / "answer",
-        [&] { show("extrapolating the answer"); }, options_.stop_requested);
+    const std::vector<double> answers =
+        find_answers(request_, plan_.scene.body.spacing, options_, options_.threads,
+                     [&] { show("extrapolating the answer"); });
     std::ranges::copy(answers, table_.answers.end() - std::ssize(answers));
     const double peers_until = spent() + peer_share * request_.budget;
     ChartPeers{request_,
@@ -93,12 +92,8 @@ class ChartStudy {
   }
 
  private:
-  [[nodiscard]] double spent() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-  }
-  [[nodiscard]] bool stopped() const {
-    return options_.stop_requested != nullptr && *options_.stop_requested;
-  }
+  [[nodiscard]] double spent() const { return watch_.seconds(); }
+  [[nodiscard]] bool stopped() const { return options_.stopped(); }
   void show(const std::string& what) const {
     if (options_.progress) options_.progress(what, std::min(1.0, spent() / request_.budget));
   }
@@ -203,7 +198,7 @@ class ChartStudy {
       return false;
     } catch (const NumericalError& failure) {
       point.failure = failure.what();
-      point.errors.assign(table_.quantities.size(), unknown);
+      point.errors.assign(table_.quantities.size(), not_known);
       contender.out = true;
     }
     if (!contender.out)
@@ -282,7 +277,7 @@ class ChartStudy {
   const ChartPlan& plan_;
   const ChartOptions& options_;
   const ChartVariation variation_;
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  const Stopwatch watch_;
   ChartTable table_;
   std::vector<Contender> contenders_;
 };
@@ -291,13 +286,7 @@ class ChartStudy {
 
 ChartTable chart(const ChartRequest& request, const ChartOptions& options) {
   const ChartPlan plan = plan_chart(request);
-  const NewFiles made(options.out);
-  try {
-    return ChartStudy(request, plan, options).run();
-  } catch (const InputError&) {
-    made.remove();
-    throw;
-  }
+  return removed_if_refused(options.out, [&] { return ChartStudy(request, plan, options).run(); });
 }
 
 }  // namespace tlsph

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "tlsph/analysis/not_known.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/studies/converge.hpp"
 
@@ -28,26 +29,24 @@ double limit_of(const ConvergenceValue& value, const std::vector<double>& spacin
 
 }  // namespace
 
-std::vector<double> find_answers(const ChartRequest& request, double h, int threads,
-                                 const std::filesystem::path& folder,
-                                 const std::function<void()>& progress,
-                                 const std::atomic<bool>* stop_requested) {
+std::vector<double> find_answers(const ChartRequest& request, double h, const StudyOptions& options,
+                                 int threads, const std::function<void()>& progress) {
   std::vector<double> answers;
   ConvergenceRequest study;
   for (const ChartValue& value : request.values) {
-    answers.push_back(value.answer.value_or(std::numeric_limits<double>::quiet_NaN()));
+    answers.push_back(value.answer.value_or(not_known));
     if (!value.answer) study.values.push_back(value.name);
   }
   if (study.values.empty()) return answers;
   study.scene = request.scene;
   study.overrides = request.overrides;
   study.spacings = {2.0 * h, h, 0.5 * h};
-  ConvergenceOptions options;
-  options.out = folder;
-  options.threads = threads;
-  options.stop_requested = stop_requested;
-  options.progress = [&](const Progress&) { progress(); };
-  const ConvergenceTable table = converge(study, options);
+  ConvergenceOptions study_options;
+  study_options.out = options.out / "answer";
+  study_options.threads = threads;
+  study_options.stop_requested = options.stop_requested;
+  study_options.progress = [&](const Progress&) { progress(); };
+  const ConvergenceTable table = converge(study, study_options);
   if (table.interrupted) return answers;
   for (const ConvergenceValue& value : table.values)
     for (std::size_t k = 0; k < answers.size(); ++k)

@@ -6,8 +6,10 @@
 #include <charconv>
 #include <cmath>
 
+#include "convergence_plan.hpp"
 #include "peers.hpp"
 #include "probe_values.hpp"
+#include "tlsph/analysis/not_known.hpp"
 #include "tlsph/core/dimensions.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/model/builder.hpp"
@@ -17,7 +19,6 @@
 namespace tlsph {
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 /// Spacings a chart tries of itself: from this many halvings above the scene's to so many below.
 constexpr int coarsest = 2, finest = 6;
 
@@ -50,16 +51,8 @@ std::vector<double> ladder_of(const ChartRequest& request, double spacing) {
     }
     return ladder;
   }
-  const Place option{"--spacing", 0, 0, ""};
-  for (const double next : request.spacings) {
-    if (!std::isfinite(next) || next <= 0.0)
-      throw InputError(option, fmt::format("{} is no spacing; a length > 0 [m]", next));
-    (void)divided_spacing(request, next);
-    ladder.push_back(next);
-  }
-  std::ranges::sort(ladder, std::greater());
-  if (const auto twice = std::ranges::adjacent_find(ladder); twice != ladder.end())
-    throw InputError(option, fmt::format("{} stands twice; each once", *twice));
+  ladder = sorted_spacings(request.spacings);
+  for (const double next : ladder) (void)divided_spacing(request, next);
   return ladder;
 }
 
@@ -89,11 +82,7 @@ ChartPlan plan_chart(const ChartRequest& request) {
   if (!std::isfinite(request.budget) || request.budget <= 0.0)
     throw InputError({"--budget", 0, 0, ""},
                      fmt::format("{} s is no time; a number > 0", request.budget));
-  for (const std::string& name : request.formulations)
-    if (!from_name<Formulation>(name))
-      throw InputError(
-          {"--formulation", 0, 0, ""},
-          fmt::format("there is no \"{}\"; choose from {}", name, choices<Formulation>()));
+  check_formulations(request.formulations);
   ChartPlan plan;
   plan.scene = read_scene(request.scene, request.overrides);
   if (!plan.scene.body.cloud.empty())
@@ -104,7 +93,7 @@ ChartPlan plan_chart(const ChartRequest& request) {
   check_value_names(plan.values, plan.scene);
   if (plan.scene.exact != ExactKind::none) {
     plan.quantities = {"displacement", "velocity", "stress"};
-    plan.answers.assign(3, unknown);
+    plan.answers.assign(3, not_known);
   } else if (plan.values.empty()) {
     throw InputError({plan.scene.file, 0, 0, ""},
                      "nothing to be near to: no reference.exact; give --value NAME=ANSWER, e.g. "
@@ -112,7 +101,7 @@ ChartPlan plan_chart(const ChartRequest& request) {
   }
   for (const ChartValue& value : request.values) {
     plan.quantities.push_back(value.name);
-    plan.answers.push_back(value.answer.value_or(unknown));
+    plan.answers.push_back(value.answer.value_or(not_known));
   }
   check_peers(request.peers, request.overrides);
   plan.ladder = ladder_of(request, plan.scene.body.spacing);

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
+
+#include "tlsph/analysis/not_known.hpp"
 
 namespace tlsph {
 namespace {
@@ -55,7 +56,7 @@ std::vector<Measured> judged(std::vector<Measured> runs, const std::vector<bool>
     if (!single_number[q]) continue;
     for (std::size_t k = 0; k < runs.size(); ++k) {
       double& error = runs[k].errors[q];
-      if (raw.size() == 1) error = std::numeric_limits<double>::quiet_NaN();
+      if (raw.size() == 1) error = not_known;
       if (k + 1 < raw.size()) error = std::max(error, raw[k + 1].errors[q]);
       if (k > 0)
         error = std::max(error, raw[k - 1].errors[q] *

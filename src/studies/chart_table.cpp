@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <utility>
 
+#include "tlsph/analysis/not_known.hpp"
 #include "tlsph/io/files.hpp"
 #include "tlsph/io/table.hpp"
 #include "tlsph/studies/chart.hpp"
@@ -53,7 +53,7 @@ double time_for(const std::vector<ChartPoint>& front, std::size_t q, double erro
     const double share = std::log(before / error) / std::log(before / here);
     return front[k - 1].time() * std::pow(front[k].time() / front[k - 1].time(), share);
   }
-  return std::numeric_limits<double>::quiet_NaN();
+  return not_known;
 }
 
 std::vector<ChartPoint> own_front(const ChartTable& table, std::size_t q) {
@@ -148,7 +148,7 @@ Table<ChartPoint> point_table(const std::vector<std::string>& quantities) {
 void judge(ChartTable& table) {
   std::map<std::string, std::vector<ChartPoint*>> families;
   for (ChartPoint& point : table.points) {
-    point.judged.assign(table.quantities.size(), std::numeric_limits<double>::quiet_NaN());
+    point.judged.assign(table.quantities.size(), not_known);
     if (!point.failure.empty()) continue;
     if (point.peer.empty())
       families[point.family].push_back(&point);
@@ -168,7 +168,7 @@ void judge(ChartTable& table) {
 }  // namespace
 
 double ChartPoint::time() const {
-  if (seconds.empty()) return std::numeric_limits<double>::quiet_NaN();
+  if (seconds.empty()) return not_known;
   std::vector<double> values = seconds;
   std::ranges::sort(values);
   const std::size_t n = values.size();

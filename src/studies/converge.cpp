@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "convergence_plan.hpp"
-#include "extrapolated_history.hpp"
 #include "probe_differences.hpp"
 #include "probe_values.hpp"
+#include "tlsph/analysis/not_known.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/io/files.hpp"
 #include "tlsph/io/new_files.hpp"
@@ -16,8 +16,6 @@
 
 namespace tlsph {
 namespace {
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// The study as it goes: one series after the other, each from coarse to fine.
 class Study {
@@ -83,8 +81,8 @@ class Study {
     row.sample = planned.sample;
     row.spacing = planned.spacing;
     row.particles = planned.particles;
-    row.dt = row.wall_seconds = unknown;
-    row.errors.assign(table_.quantities.size(), unknown);
+    row.dt = row.wall_seconds = not_known;
+    row.errors.assign(table_.quantities.size(), not_known);
     row.orders = row.errors;
     if (options_.before_run) options_.before_run(row);
     RunOptions run_options;
@@ -147,7 +145,7 @@ class Study {
         const bool neighbours =
             k + 1 < chain.size() && next != ended.end() && rows()[chain[k + 1]].particles == *next;
         for (std::size_t q = 0; q < differences.size(); ++q)
-          rows()[chain[k]].errors[q] = neighbours ? differences[q][k] : unknown;
+          rows()[chain[k]].errors[q] = neighbours ? differences[q][k] : not_known;
       }
     }
   }
@@ -217,13 +215,7 @@ class Study {
 
 ConvergenceTable converge(const ConvergenceRequest& request, const ConvergenceOptions& options) {
   const ConvergencePlan plan = plan_convergence(request);
-  const NewFiles made(options.out);
-  try {
-    return Study(request, plan, options).run();
-  } catch (const InputError&) {
-    made.remove();
-    throw;
-  }
+  return removed_if_refused(options.out, [&] { return Study(request, plan, options).run(); });
 }
 
 }  // namespace tlsph

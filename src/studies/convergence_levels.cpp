@@ -4,10 +4,11 @@
 #include <cassert>
 #include <cmath>
 
+#include "tlsph/analysis/not_known.hpp"
+
 namespace tlsph {
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 using Rows = std::span<const ConvergenceRow>;
@@ -27,16 +28,9 @@ std::vector<Rows> by_level(Rows rows) {
 /// The middle value, or the mean of the middle two; `values` sorted.
 double middle(const std::vector<double>& values) {
   const std::size_t n = values.size();
-  if (n == 0) return unknown;
+  if (n == 0) return not_known;
   const double upper = values[n / 2];
   return n % 2 == 1 || upper == infinite ? upper : 0.5 * (values[n / 2 - 1] + upper);
-}
-
-double median_of(const Spread& spread) {
-  return spread.median;
-}
-double worst_of(const Spread& spread) {
-  return spread.worst;
 }
 
 /// Orders between the levels that count, and the order through all of them.
@@ -48,19 +42,19 @@ struct Orders {
 /// Levels without a finite value are passed over, so that a run that failed does not break a
 /// series: the orders are those of the rest.
 Orders orders_of(const std::vector<ConvergenceLevel>& levels, std::size_t quantity,
-                 double (*pick)(const Spread&), ConvergenceMethod method) {
+                 double Spread::*pick, ConvergenceMethod method) {
   std::vector<double> spacings;
   std::vector<double> errors;
   std::vector<std::size_t> used;
   for (std::size_t k = 0; k < levels.size(); ++k) {
     const ConvergenceLevel& level = levels[k];
-    const double error = pick(level.errors[quantity]);
+    const double error = level.errors[quantity].*pick;
     if (level.failed == level.runs || std::isinf(error)) continue;
     spacings.push_back(level.spacing);
     errors.push_back(error);
     used.push_back(k);
   }
-  Orders orders{std::vector<double>(levels.size(), unknown), {}};
+  Orders orders{std::vector<double>(levels.size(), not_known), {}};
   if (used.empty()) return orders;
   std::vector<double> between;
   if (method == ConvergenceMethod::exact) {
@@ -81,7 +75,7 @@ double finest_error(const std::vector<ConvergenceLevel>& levels, std::size_t qua
   std::vector<const ConvergenceLevel*> used;
   for (const ConvergenceLevel& level : levels)
     if (level.failed < level.runs) used.push_back(&level);
-  if (used.size() < 2) return unknown;
+  if (used.size() < 2) return not_known;
   const ConvergenceLevel& coarse = *used[used.size() - 2];
   return richardson_error(coarse.errors[quantity].median, coarse.spacing / used.back()->spacing,
                           order);
@@ -120,9 +114,9 @@ SeriesOrders find_orders(Rows rows, const std::vector<std::string>& quantities,
     result.levels.push_back(std::move(level));
   }
   for (std::size_t q = 0; q < quantities.size(); ++q) {
-    const Orders median = orders_of(result.levels, q, median_of, method);
-    const Orders worst = orders_of(result.levels, q, worst_of, method);
-    ConvergenceFit entry{rows.front().series, quantities[q], median.fit, worst.fit, unknown};
+    const Orders median = orders_of(result.levels, q, &Spread::median, method);
+    const Orders worst = orders_of(result.levels, q, &Spread::worst, method);
+    ConvergenceFit entry{rows.front().series, quantities[q], median.fit, worst.fit, not_known};
     if (method == ConvergenceMethod::probes)
       entry.finest_error = finest_error(result.levels, q, median.fit.order);
     result.fits.push_back(entry);
@@ -161,7 +155,7 @@ std::vector<ConvergenceValue> find_limits(Rows rows, const std::vector<std::stri
         value.order = fit_order_of_differences(h, sizes).order;
         value.limit = richardson_limit(f[1], f[2], h[1] / h[2], value.order);
         value.finest_error = std::abs(f[2] / value.limit - 1.0);
-        if (!(value.order > 0.0)) value.order = unknown;
+        if (!(value.order > 0.0)) value.order = not_known;
       }
     }
     values.push_back(std::move(value));

@@ -21,17 +21,6 @@ const Place formulation_option{"--formulation", 0, 0, ""};
 const Place seed_option{"--seed", 0, 0, ""};
 const Place cloud_option{"--cloud", 0, 0, ""};
 
-std::vector<double> sorted_spacings(std::vector<double> spacings) {
-  for (const double spacing : spacings)
-    if (!std::isfinite(spacing) || spacing <= 0.0)
-      throw InputError(spacing_option, fmt::format("{} is no spacing; a length > 0 [m]", spacing));
-  std::ranges::sort(spacings, std::greater());
-  const auto twice = std::ranges::adjacent_find(spacings);
-  if (twice != spacings.end())
-    throw InputError(spacing_option, fmt::format("{} stands twice; each once", *twice));
-  return spacings;
-}
-
 template <class T>
 void check_once(const Place& option, const std::vector<T>& entries) {
   for (auto entry = entries.begin(); entry != entries.end(); ++entry)
@@ -43,10 +32,7 @@ void check_once(const Place& option, const std::vector<T>& entries) {
 /// an option for is refused as a key.
 std::vector<Variation> variations_of(const ConvergenceRequest& request) {
   check_once(formulation_option, request.formulations);
-  for (const std::string& name : request.formulations)
-    if (!from_name<Formulation>(name))
-      throw InputError(formulation_option, fmt::format("there is no \"{}\"; choose from {}", name,
-                                                       choices<Formulation>()));
+  check_formulations(request.formulations);
   std::vector<Variation> variations;
   if (!request.formulations.empty()) variations.push_back({"formulation", request.formulations});
   for (const Variation& variation : request.over) {
@@ -249,6 +235,24 @@ class Planner {
 };
 
 }  // namespace
+
+std::vector<double> sorted_spacings(std::vector<double> spacings) {
+  for (const double spacing : spacings)
+    if (!std::isfinite(spacing) || spacing <= 0.0)
+      throw InputError(spacing_option, fmt::format("{} is no spacing; a length > 0 [m]", spacing));
+  std::ranges::sort(spacings, std::greater());
+  const auto twice = std::ranges::adjacent_find(spacings);
+  if (twice != spacings.end())
+    throw InputError(spacing_option, fmt::format("{} stands twice; each once", *twice));
+  return spacings;
+}
+
+void check_formulations(const std::vector<std::string>& names) {
+  for (const std::string& name : names)
+    if (!from_name<Formulation>(name))
+      throw InputError(formulation_option, fmt::format("there is no \"{}\"; choose from {}", name,
+                                                       choices<Formulation>()));
+}
 
 ConvergencePlan plan_convergence(const ConvergenceRequest& request) {
   Planner planner(request);

@@ -29,6 +29,11 @@ struct ConvergencePlan {
   std::vector<PlannedSeries> series;
 };
 
+/// From coarse to fine. InputError, naming the option, for what is no spacing or stands twice.
+[[nodiscard]] std::vector<double> sorted_spacings(std::vector<double> spacings);
+/// InputError, naming the option, for a name that is no formulation.
+void check_formulations(const std::vector<std::string>& names);
+
 /// Reads every scene of the study, divides its body and builds the coarsest of each series, so that
 /// what cannot run is refused here. Throws InputError.
 [[nodiscard]] ConvergencePlan plan_convergence(const ConvergenceRequest& request);

@@ -3,13 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "chart_answers.hpp"
 #include "fit_pilot.hpp"
 #include "fit_plan.hpp"
+#include "tlsph/analysis/not_known.hpp"
 #include "tlsph/core/error.hpp"
+#include "tlsph/core/stopwatch.hpp"
 #include "tlsph/io/files.hpp"
 #include "tlsph/io/new_files.hpp"
 #include "tlsph/scene/reader.hpp"
@@ -40,7 +41,7 @@ class FitStudy {
     table_.wanted = request.error;
     table_.quantity = plan.quantity;
     table_.reductions = plan.reductions;
-    table_.answer = std::numeric_limits<double>::quiet_NaN();
+    table_.answer = not_known;
     make_output_directory(options.out);
   }
 
@@ -53,17 +54,13 @@ class FitStudy {
     }
     if (!stopped()) choose_and_verify();
     table_.interrupted = stopped();
-    table_.spent = std::chrono::duration<double>(Clock::now() - begin_).count();
+    table_.spent = watch_.seconds();
     table_.write(options_.out);
     return table_;
   }
 
  private:
-  using Clock = std::chrono::steady_clock;
-
-  [[nodiscard]] bool stopped() const {
-    return options_.stop_requested != nullptr && *options_.stop_requested;
-  }
+  [[nodiscard]] bool stopped() const { return options_.stopped(); }
 
   void find_answer() {
     if (!request_.value) return;
@@ -71,10 +68,9 @@ class FitStudy {
     study.scene = request_.scene;
     study.overrides = request_.overrides;
     study.values = {*request_.value};
-    table_.answer = find_answers(
-                        study, plan_.spacing, options_.threads, options_.out / "answer",
-                        [&] { show("extrapolating the answer"); }, options_.stop_requested)
-                        .front();
+    table_.answer = find_answers(study, plan_.spacing, options_, options_.threads, [&] {
+                      show("extrapolating the answer");
+                    }).front();
   }
 
   void show(const std::string& what) const {
@@ -90,11 +86,7 @@ class FitStudy {
   }
 
   std::optional<Pilot> measure(const Scene& scene, const std::string& what) const {
-    PilotOptions pilot_options;
-    pilot_options.threads = options_.threads;
-    pilot_options.progress = [&] { show(what); };
-    pilot_options.stop_requested = options_.stop_requested;
-    return run_pilot(request_, table_.answer, scene, pilot_options);
+    return run_pilot(request_, table_.answer, scene, options_, [&] { show(what); });
   }
 
   /// From the coarsest spacing on to one that meets the error, or to where that is hopeless.
@@ -285,7 +277,7 @@ class FitStudy {
   const FitRequest& request_;
   const FitPlan& plan_;
   const FitOptions& options_;
-  Clock::time_point begin_ = Clock::now();
+  const Stopwatch watch_;
   FitTable table_;
 };
 
@@ -293,13 +285,7 @@ class FitStudy {
 
 FitTable fit(const FitRequest& request, const FitOptions& options) {
   const FitPlan plan = plan_fit(request);
-  const NewFiles made(options.out);
-  try {
-    return FitStudy(request, plan, options).run();
-  } catch (const InputError&) {
-    made.remove();
-    throw;
-  }
+  return removed_if_refused(options.out, [&] { return FitStudy(request, plan, options).run(); });
 }
 
 }  // namespace tlsph

@@ -31,15 +31,13 @@ double error_of(const FitRequest& request, const Summary& summary, double answer
 }  // namespace
 
 std::optional<Pilot> run_pilot(const FitRequest& request, double answer, const Scene& scene,
-                               const PilotOptions& options) {
+                               const FitOptions& options, const std::function<void()>& progress) {
   Pilot pilot;
   for (int k = 0; k < repetitions && (k == 0 || pilot.stepping < short_run); ++k) {
     RunOptions run_options;
     run_options.threads = options.threads;
     run_options.stop_requested = options.stop_requested;
-    run_options.progress = [&](const Progress&) {
-      if (options.progress) options.progress();
-    };
+    run_options.progress = [&](const Progress&) { progress(); };
     ProbeHistories histories;
     if (request.value) run_options.histories = &histories;
     const Summary summary = run(scene, run_options);

@@ -10,17 +10,12 @@
 
 namespace tlsph {
 
-struct PilotOptions {
-  int threads = 1;
-  std::function<void()> progress;
-  const std::atomic<bool>* stop_requested = nullptr;
-};
-
 /// Runs the scene, several times where that is short: the least time counts. The error is that of
 /// the request's field, or of its value against `answer`, then with its sign; not a number where
 /// the value has none, e.g. no period. Empty if it was interrupted. InputError, NumericalError.
 [[nodiscard]] std::optional<Pilot> run_pilot(const FitRequest& request, double answer,
-                                             const Scene& scene, const PilotOptions& options);
+                                             const Scene& scene, const FitOptions& options,
+                                             const std::function<void()>& progress);
 
 /// Fills what the pilots of a family predict for the coarsest division of the body of `scene` that
 /// reaches the error; `reaches` is false if there is no such division.

@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "process.hpp"
+#include "tlsph/analysis/not_known.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/io/files.hpp"
 #include "tlsph/io/json.hpp"
@@ -18,7 +19,6 @@ namespace tlsph {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// What the scripts share is no peer.
 constexpr std::array<std::string_view, 2> modules = {"peer", "scenes"};
@@ -53,7 +53,7 @@ double error_of(const Json& result, const ChartTable& table, std::size_t q) {
       if (!std::isfinite(table.answers[q]) && !entry.is_null("error"))
         return std::abs(entry.number("error"));
     }
-  return unknown;
+  return not_known;
 }
 
 ChartPoint read_point(const std::string& name, const Json& result, const ChartTable& table) {

@@ -1,7 +1,9 @@
 #pragma once
 /// \file
-/// Self-convergence: how far the probes of runs of falling spacing are apart.
+/// Self-convergence: how far the probes of runs of falling spacing are apart, and what they tend
+/// to.
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -21,5 +23,15 @@ namespace tlsph {
 /// not a number where the last vanishes.
 [[nodiscard]] std::vector<std::vector<double>> probe_differences(
     const std::vector<std::string>& quantities, const std::vector<History>& histories);
+
+/// The finer history plus (fine − coarse)/(ratio^p − 1) at its own instants, ratio =
+/// h_coarse/h_fine and p the order of the quantity that a column belongs to. Columns of quantities
+/// without a positive order are left out.
+[[nodiscard]] History extrapolated(const History& coarse, const History& fine, double ratio,
+                                   const std::vector<std::string>& quantities,
+                                   const std::vector<double>& orders);
+
+/// Writes `history` as probes.csv is written. OutputError.
+void write_history(const std::filesystem::path& file, const History& history);
 
 }  // namespace tlsph

@@ -10,10 +10,10 @@
 #include <csignal>
 #include <thread>
 
+#include "tlsph/core/stopwatch.hpp"
+
 namespace tlsph {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// What a child gets: streams, and a group of its own, so that its children can be ended with it.
 class SpawnSettings {
@@ -61,7 +61,7 @@ class SpawnSettings {
 }  // namespace
 
 std::optional<int> run_process(std::vector<std::string> words, const ProcessOptions& options) {
-  const auto start = Clock::now();
+  const Stopwatch watch;
   const pid_t child = SpawnSettings(options).spawn(words);
   if (child == 0) return std::nullopt;
   const bool watched = options.seconds || options.stop_requested != nullptr;
@@ -72,8 +72,7 @@ std::optional<int> run_process(std::vector<std::string> words, const ProcessOpti
     if (ended == child) break;
     if (ended < 0 && errno != EINTR) return std::nullopt;
     if (ended != 0) continue;
-    const std::chrono::duration<double> passed = Clock::now() - start;
-    if ((options.seconds && passed.count() > *options.seconds) ||
+    if ((options.seconds && watch.seconds() > *options.seconds) ||
         (options.stop_requested != nullptr && *options.stop_requested)) {
       kill(-child, SIGKILL);
       killed = true;

@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "tlsph/core/error.hpp"
+#include "tlsph/core/stopwatch.hpp"
 #include "tlsph/io/files.hpp"
 #include "tlsph/linear/blas_threads.hpp"
 #include "tlsph/simulation/version.hpp"
@@ -24,11 +25,6 @@ namespace tlsph {
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
-
-double since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 std::vector<Case> chosen_cases(std::span<const Case> cases, const ValidationOptions& options) {
   std::string names;
@@ -46,12 +42,18 @@ std::vector<Case> chosen_cases(std::span<const Case> cases, const ValidationOpti
   return chosen;
 }
 
-/// Runs a case to its end, whatever happens, and says what came of it.
-CaseResult result_of(const Case& entry, const fs::path& folder, const ValidationOptions& options) {
+/// Of a case of which nothing is known yet.
+CaseResult named(const Case& entry) {
   CaseResult result;
   result.name = entry.name;
   result.title = entry.title;
-  const auto start = Clock::now();
+  return result;
+}
+
+/// Runs a case to its end, whatever happens, and says what came of it.
+CaseResult result_of(const Case& entry, const fs::path& folder, const ValidationOptions& options) {
+  CaseResult result = named(entry);
+  const Stopwatch watch;
   try {
     CaseRun run(folder / entry.name, options.out / entry.name);
     try {
@@ -71,7 +73,7 @@ CaseResult result_of(const Case& entry, const fs::path& folder, const Validation
   } catch (const std::exception& error) {
     result.failure = error.what();
   }
-  result.seconds = since(start);
+  result.seconds = watch.seconds();
   return result;
 }
 
@@ -79,7 +81,7 @@ CaseResult result_of(const Case& entry, const fs::path& folder, const Validation
 struct Worker {
   std::size_t index = 0;  // among the chosen cases
   pid_t process = 0;
-  Clock::time_point start;
+  Stopwatch watch;
 };
 
 fs::path handed_over(const ValidationOptions& options, const Case& entry) {
@@ -89,21 +91,16 @@ fs::path handed_over(const ValidationOptions& options, const Case& entry) {
 /// What the process of a case left behind.
 CaseResult collect(const Case& entry, int status, double seconds,
                    const ValidationOptions& options) {
-  CaseResult result;
-  result.name = entry.name;
-  result.title = entry.title;
+  CaseResult result = named(entry);
   result.seconds = seconds;
-  if (WIFSIGNALED(status)) {
+  try {
+    if (!WIFSIGNALED(status)) return read_checks(Json::read(handed_over(options, entry)));
     result.failure =
         fmt::format("ended by signal {} ({})", WTERMSIG(status), sigdescr_np(WTERMSIG(status)));
-    return result;
-  }
-  try {
-    return read_checks(Json::read(handed_over(options, entry)));
   } catch (const InputError& error) {
     result.failure = error.what();
-    return result;
   }
+  return result;
 }
 
 class Validation {
@@ -136,7 +133,7 @@ class Validation {
 
  private:
   [[nodiscard]] bool stopped() {
-    if (options_.stop_requested == nullptr || !*options_.stop_requested) return false;
+    if (!options_.stopped()) return false;
     for (const Worker& worker : workers_) kill(worker.process, SIGTERM);
     for (const Worker& worker : workers_) waitpid(worker.process, nullptr, 0);
     interrupted_ = true;
@@ -164,7 +161,7 @@ class Validation {
       }
       _exit(code);  // what the parent still has in its buffers is the parent's to write
     }
-    workers_.push_back({index, process, Clock::now()});
+    workers_.push_back({index, process, {}});
   }
 
   /// True if a process had ended.
@@ -173,7 +170,7 @@ class Validation {
       int status = 0;
       if (waitpid(worker->process, &status, WNOHANG) == 0) continue;
       const std::size_t index = worker->index;
-      results_[index] = collect(cases_[index], status, since(worker->start), options_);
+      results_[index] = collect(cases_[index], status, worker->watch.seconds(), options_);
       workers_.erase(worker);
       done_ += cases_[index].seconds;
       if (options_.after_case) options_.after_case(*results_[index], share());

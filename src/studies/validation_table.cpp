@@ -7,14 +7,13 @@
 #include <limits>
 #include <utility>
 
+#include "tlsph/analysis/not_known.hpp"
 #include "tlsph/io/files.hpp"
 #include "tlsph/studies/validation.hpp"
 #include "validation_table.hpp"
 
 namespace tlsph {
 namespace {
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 constexpr std::array<std::pair<std::string_view, Criterion>, 5> criteria = {
     {{"relative", Criterion::relative},
@@ -25,7 +24,7 @@ constexpr std::array<std::pair<std::string_view, Criterion>, 5> criteria = {
 
 /// JSON has no NaN; null stands for it.
 double number_or_nan(const Json& json, std::string_view path) {
-  return json.is_null(path) ? not_a_number : json.number(path);
+  return json.is_null(path) ? not_known : json.number(path);
 }
 
 Check read_check(const Json& json) {
@@ -115,8 +114,8 @@ std::vector<Line> lines_of(const ValidationTable& table) {
   for (const CaseResult& result : table.cases) {
     for (const Check& check : result.checks) lines.push_back({result.name, check});
     if (!result.failure.empty())
-      lines.push_back({result.name,
-                       {"", result.failure, Criterion::reported, not_a_number, not_a_number, 0.0}});
+      lines.push_back(
+          {result.name, {"", result.failure, Criterion::reported, not_known, not_known, 0.0}});
   }
   return lines;
 }

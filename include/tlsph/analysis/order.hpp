@@ -4,19 +4,20 @@
 /// exact solution or, where there is none, from the differences between runs of successive
 /// spacings.
 
-#include <limits>
 #include <span>
 #include <vector>
+
+#include "tlsph/analysis/not_known.hpp"
 
 namespace tlsph {
 
 /// The order p and constant C of a model with C > 0, by least squares on the logarithms. Not a
 /// number where too few values are positive and finite.
 struct OrderFit {
-  double order = std::numeric_limits<double>::quiet_NaN();           ///< p
-  double log_constant = std::numeric_limits<double>::quiet_NaN();    ///< ln C
-  double standard_error = std::numeric_limits<double>::quiet_NaN();  ///< of p; needs three values
-  int points = 0;                                                    ///< values that entered
+  double order = not_known;           ///< p
+  double log_constant = not_known;    ///< ln C
+  double standard_error = not_known;  ///< of p; needs three values
+  int points = 0;                     ///< values that entered
 };
 
 /// p_k = ln(e_{k−1}/e_k) / ln(h_{k−1}/h_k), one an error; the first is not a number, nor is one

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <set>
 
+#include "tlsph/core/error.hpp"
+
 namespace tlsph {
 
 /// What comes into a directory, made with its parents if need be, from here on.
@@ -18,5 +20,17 @@ class NewFiles {
   std::filesystem::path directory_, made_;  // made: the uppermost folder that was not there
   std::set<std::filesystem::path> before_;
 };
+
+/// What `work` returns; an InputError of its removes what came into the directory.
+template <class Work>
+auto removed_if_refused(const std::filesystem::path& directory, const Work& work) {
+  const NewFiles made(directory);
+  try {
+    return work();
+  } catch (const InputError&) {
+    made.remove();
+    throw;
+  }
+}
 
 }  // namespace tlsph

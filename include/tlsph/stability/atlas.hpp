@@ -21,11 +21,10 @@
 #include <string>
 #include <vector>
 
+#include "tlsph/analysis/not_known.hpp"
 #include "tlsph/core/types.hpp"
 
 namespace tlsph {
-
-inline constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
 /// What became of a state. The first that applies, in this order.
 enum class Verdict {

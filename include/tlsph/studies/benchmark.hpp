@@ -4,15 +4,14 @@
 /// sweep and of the plain way (sparse products of Eigen, a law, an update), and the share of the
 /// limit that binds, memory or arithmetic, both measured in the same run.
 
-#include <atomic>
-#include <filesystem>
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
+#include "tlsph/analysis/not_known.hpp"
 #include "tlsph/core/types.hpp"
 #include "tlsph/operators/row_storage.hpp"
+#include "tlsph/studies/study_options.hpp"
 
 namespace tlsph {
 
@@ -25,7 +24,7 @@ struct BenchmarkRow {
   double ns = 0.0;  ///< CPU time of a thread per particle and step, the fastest of several batches
   double spread = 0.0;  ///< median over fastest, minus one
   /// Of the plain way on one thread; not a number where it was not measured.
-  double plain_ns = std::numeric_limits<double>::quiet_NaN();
+  double plain_ns = not_known;
   double bytes = 0.0;          ///< per particle and step that must come from and go to memory
   double multiply_adds = 0.0;  ///< per particle and step
   double memory_ns = 0.0, arithmetic_ns = 0.0;  ///< what the machine would need for either
@@ -49,12 +48,11 @@ struct BenchmarkTable {
   void write(const std::filesystem::path& directory) const;
 };
 
-struct BenchmarkOptions {
+/// Without `out` nothing is written.
+struct BenchmarkOptions : StudyOptions {
   Index particles = 500'000;  ///< of the large bodies, about
   double seconds = 0.3;       ///< of a batch of steps
-  std::filesystem::path out;  ///< empty: nothing is written
   std::function<void(const std::string&)> before_case;
-  const std::atomic<bool>* stop_requested = nullptr;
 };
 
 [[nodiscard]] BenchmarkTable benchmark(const BenchmarkOptions& options);

@@ -4,14 +4,13 @@
 /// answer, within a budget of time. A configuration is a *family* (formulation, kernel, support,
 /// order, stabiliser) at a spacing, in *variants* of time step and law.
 
-#include <atomic>
-#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "tlsph/simulation/simulation.hpp"
+#include "tlsph/studies/study_options.hpp"
 
 namespace tlsph {
 
@@ -93,13 +92,12 @@ struct ChartTable {
 [[nodiscard]] std::vector<bool> pareto_front(const std::vector<double>& times,
                                              const std::vector<double>& errors);
 
-struct ChartOptions {
-  std::filesystem::path out;  ///< directory of chart.csv, chart.json and what the runs leave
-  int threads = 1;            ///< of every run; peers take one
+/// `out` holds chart.csv, chart.json and what the runs leave.
+struct ChartOptions : StudyOptions {
+  int threads = 1;  ///< of every run; peers take one
   /// Called when a point is done, with the share of the budget that is spent.
   std::function<void(const ChartPoint&, double share)> after_point;
   std::function<void(const std::string& what, double share)> progress;  ///< several times a second
-  const std::atomic<bool>* stop_requested = nullptr;
 };
 
 /// Runs the study. First every family at the coarsest spacing, those nearest to the defaults first,

@@ -5,15 +5,15 @@
 /// run or of *samples*: the same body with other random particles, of which the median and the
 /// worst count.
 
-#include <atomic>
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "tlsph/analysis/not_known.hpp"
 #include "tlsph/analysis/order.hpp"
 #include "tlsph/simulation/simulation.hpp"
+#include "tlsph/studies/study_options.hpp"
 
 namespace tlsph {
 
@@ -70,9 +70,9 @@ struct ConvergenceRow {
 /// How samples scatter. A run that failed counts as infinitely bad, so half of them spoil the
 /// median and one the worst; infinite there, not a number where there are none.
 struct Spread {
-  double best = std::numeric_limits<double>::quiet_NaN();
-  double median = std::numeric_limits<double>::quiet_NaN();
-  double worst = std::numeric_limits<double>::quiet_NaN();
+  double best = not_known;
+  double median = not_known;
+  double worst = not_known;
 };
 
 /// The runs of a series at one spacing.
@@ -91,7 +91,7 @@ struct ConvergenceFit {
   OrderFit fit;        ///< of the medians
   OrderFit worst_fit;  ///< of the worst
   /// Method `probes`: what is left in the finest run, by Richardson with the fitted order.
-  double finest_error = std::numeric_limits<double>::quiet_NaN();
+  double finest_error = not_known;
 };
 
 /// A number read off the probes, and what it tends to by Richardson: the order and the limit of the
@@ -101,9 +101,9 @@ struct ConvergenceValue {
   std::vector<double> spacings, medians, lowest, highest;  ///< by level, coarse to fine
   /// Not numbers with fewer than three levels, or where the differences change their sign or do not
   /// fall: nothing to extrapolate then.
-  double order = std::numeric_limits<double>::quiet_NaN();
-  double limit = std::numeric_limits<double>::quiet_NaN();
-  double finest_error = std::numeric_limits<double>::quiet_NaN();  ///< |finest/limit − 1|
+  double order = not_known;
+  double limit = not_known;
+  double finest_error = not_known;  ///< |finest/limit − 1|
 };
 
 struct ConvergenceTable {
@@ -128,16 +128,14 @@ struct ConvergenceTable {
   void write(const std::filesystem::path& directory) const;
 };
 
-struct ConvergenceOptions {
-  /// Directory of convergence.csv and .json, rewritten after every level; runs whose probes are
-  /// read are kept there too, in <series>/<spacing>[/<sample>], and in <series> the extrapolated
-  /// histories, probes_extrapolated.csv. Empty is allowed only where there is an exact solution and
-  /// no value to read: nothing is written.
-  std::filesystem::path out;
+/// `out` holds convergence.csv and .json, rewritten after every level; runs whose probes are read
+/// are kept there too, in <series>/<spacing>[/<sample>], and in <series> the extrapolated
+/// histories, probes_extrapolated.csv. Empty is allowed only where there is an exact solution and
+/// no value to read: nothing is written.
+struct ConvergenceOptions : StudyOptions {
   int threads = 0;                                                   ///< as for a run
   std::function<void(const ConvergenceRow&)> before_run, after_run;  ///< may be empty
   std::function<void(const Progress&)> progress;                     ///< of the current run
-  const std::atomic<bool>* stop_requested = nullptr;
 };
 
 /// Runs the study. InputError, before anything is written, for fewer than two levels (three

@@ -4,8 +4,6 @@
 /// formulation, support, stabiliser, spacing, law and output, chosen by short runs at coarse
 /// spacings and extrapolation, then verified by one run.
 
-#include <atomic>
-#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -65,12 +63,11 @@ struct FitTable {
   void write(const std::filesystem::path& directory) const;
 };
 
-struct FitOptions {
-  std::filesystem::path out;  ///< directory of scene.toml, fit.json, fit.csv and what runs leave
+/// `out` holds scene.toml, fit.json, fit.csv and what runs leave.
+struct FitOptions : StudyOptions {
   int threads = 1;
   std::function<void(const std::string& what, double share)> progress;  ///< several times a second
   std::function<void(const FitTable&)> after_choice;  ///< the scene is chosen and written
-  const std::atomic<bool>* stop_requested = nullptr;
 };
 
 /// Runs the study. InputError, before anything is written, for an error that is none, a quantity or

@@ -6,10 +6,10 @@
 ///
 ///     void bar_pulse(CaseRun& run) {
 ///       const CaseScene scene = run.scene("mirror", "bar.toml", {"formulation=mirror"});
-///       run.relative("Fig. 4.9", "arrival at 0.10 m, mirror [s]", 0.10 / c, arrival(scene), 2e-3);
+///       const double seen = arrival(scene.samples("p3.pk1_xx"));
+///       run.check("Fig. 4.9", "arrival at 0.10 m, mirror [s]", seen, relative(0.10 / c, 2e-3));
 ///     }
 
-#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -18,8 +18,10 @@
 #include <string_view>
 #include <vector>
 
+#include "tlsph/analysis/not_known.hpp"
 #include "tlsph/observe/history.hpp"
 #include "tlsph/simulation/simulation.hpp"
+#include "tlsph/studies/converge.hpp"
 
 namespace tlsph {
 
@@ -32,6 +34,29 @@ enum class Criterion {
   reported,  ///< shown without a verdict: what a source's own method does
 };
 
+/// What an observed number is held against.
+struct Claim {
+  Criterion criterion = Criterion::reported;
+  double reference = not_known;
+  double tolerance = 0.0;
+};
+[[nodiscard]] constexpr Claim relative(double reference, double tolerance) {
+  return {Criterion::relative, reference, tolerance};
+}
+[[nodiscard]] constexpr Claim absolute(double reference, double tolerance) {
+  return {Criterion::absolute, reference, tolerance};
+}
+[[nodiscard]] constexpr Claim at_most(double limit) {
+  return {Criterion::at_most, limit, 0.0};
+}
+[[nodiscard]] constexpr Claim at_least(double limit) {
+  return {Criterion::at_least, limit, 0.0};
+}
+/// No verdict; beside what the source claims, if it claims anything.
+[[nodiscard]] constexpr Claim reported(double claimed = not_known) {
+  return {Criterion::reported, claimed, 0.0};
+}
+
 struct Check {
   std::string source;    ///< where it is claimed: work, figure or equation
   std::string quantity;  ///< what is measured, of which formulation, with its unit
@@ -43,17 +68,48 @@ struct Check {
   [[nodiscard]] bool holds() const;
 };
 
+/// A column of numbers and the times of its samples [s].
+struct Samples {
+  std::span<const double> time, values;
+};
+
 /// What a run of a scene left: its summary, and what its probes recorded.
 struct CaseScene {
   Summary summary;
-  ProbeHistories probes;            ///< what they recorded; empty without probes
+  History history;  ///< probes.csv; empty without probes
+  History exact;    ///< probes_exact.csv: the same of the scene's exact solution, if it has one
   std::filesystem::path directory;  ///< run.h5, probes.csv, …
   std::optional<double> failed_at;  ///< [s] when it lost its physics; `summary` is empty then
   std::string failure;              ///< and how
 
-  /// The column `name` of the probes, "p2.pk1_xx". InputError if there is none.
+  /// The column `name` of the probes, "p2.pk1_xx", computed and exact. InputError if there is none.
   [[nodiscard]] std::span<const double> probe(std::string_view name) const;
+  [[nodiscard]] Samples samples(std::string_view name) const;
+  [[nodiscard]] Samples exact_samples(std::string_view name) const;
+  /// A data set of run.h5, "particles/X" or "series/kinetic".
+  [[nodiscard]] std::vector<double> data(const std::string& item) const;
+  /// A field of frame `k`, "displacement"; empty if the run did not come so far.
+  [[nodiscard]] std::optional<std::vector<double>> frame(const std::string& field,
+                                                         std::size_t k) const;
 };
+
+/// Keys of a scene, `key=value` as for a run.
+using Settings = std::vector<std::string>;
+[[nodiscard]] Settings with(Settings settings, const Settings& more);
+
+/// A column of a table for the figure of a case.
+struct CaseColumn {
+  std::string name;
+  std::vector<double> values;
+
+  // NOLINTNEXTLINE(google-explicit-constructor): {{"time"}, {"stress"}} is a table without rows
+  CaseColumn(std::string column) : name(std::move(column)) {}
+  template <class Numbers>
+  CaseColumn(std::string column, const Numbers& numbers)
+      : name(std::move(column)), values(numbers.begin(), numbers.end()) {}
+};
+
+void add_row(std::vector<CaseColumn>& table, const std::vector<double>& row);
 
 /// What a case works with: where its files are, and where its checks go.
 class CaseRun {
@@ -66,25 +122,20 @@ class CaseRun {
   [[nodiscard]] const std::vector<Check>& checks() const { return checks_; }
 
   /// The scene of `file` (in the folder), overrides applied, not run.
-  [[nodiscard]] Scene read(const std::string& file,
-                           const std::vector<std::string>& overrides = {}) const;
+  [[nodiscard]] Scene read(const std::string& file, const Settings& overrides = {}) const;
   /// Runs it on one thread with its files in out()/`label`. A numerical failure is in the result.
   CaseScene scene(const std::string& label, const std::string& file,
-                  const std::vector<std::string>& overrides = {});
+                  const Settings& overrides = {});
 
-  void relative(std::string source, std::string quantity, double reference, double observed,
-                double tolerance);
-  void absolute(std::string source, std::string quantity, double reference, double observed,
-                double tolerance);
-  void at_most(std::string source, std::string quantity, double limit, double observed);
-  void at_least(std::string source, std::string quantity, double limit, double observed);
-  /// Shown without a verdict, beside what the source claims if that is given.
-  void report(std::string source, std::string quantity, double observed,
-              std::optional<double> claimed = std::nullopt);
+  /// The errors of the scene, which has an exact solution, at spacings [m] from coarse to fine.
+  /// NumericalError if a run fails.
+  [[nodiscard]] ConvergenceTable converge(const std::string& file, const Settings& overrides,
+                                          const std::vector<double>& spacings) const;
+
+  void check(std::string source, std::string quantity, double observed, const Claim& claim);
 
   /// Writes out()/`name`.csv for the figure of the case, columns of equal length.
-  void table(const std::string& name, const std::vector<std::string>& columns,
-             const std::vector<std::vector<double>>& values) const;
+  void table(const std::string& name, const std::vector<CaseColumn>& columns) const;
 
  private:
   std::filesystem::path folder_, out_;
@@ -124,8 +175,8 @@ struct ValidationTable {
   void write(const std::filesystem::path& directory) const;
 };
 
-struct ValidationOptions {
-  std::filesystem::path out;      ///< DIR/<case>/…, DIR/figures/<case>.png
+/// `out` holds <case>/… and figures/<case>.png.
+struct ValidationOptions : StudyOptions {
   std::vector<std::string> only;  ///< names; empty: all
   bool quick = false;             ///< of these, those that are quick
   int at_once = 0;                ///< cases side by side, a process each; 0: one a core
@@ -134,7 +185,6 @@ struct ValidationOptions {
   std::function<void(const CaseResult&, double share)> after_case;
   /// Called about five times a second with the names of what runs.
   std::function<void(const std::vector<std::string>& running, double share)> progress;
-  const std::atomic<bool>* stop_requested = nullptr;
 };
 
 /// Runs cases side by side, each in a process of its own, so that one that crashes is one that

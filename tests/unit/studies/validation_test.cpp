@@ -43,16 +43,16 @@ TEST(Check, NeverHoldsForWhatIsNotANumber) {
 }
 
 void two_hold(CaseRun& run) {
-  run.relative("a source, Fig. 1", "speed [m/s]", 5801.0, 5800.0, 1e-3);
-  run.report("a source, Fig. 2", "growth | rate", 0.5, 0.6);
-  run.table("numbers", {"time", "value"}, {{0.0, 1.0}, {2.0, 3.0}});
+  run.check("a source, Fig. 1", "speed [m/s]", 5800.0, relative(5801.0, 1e-3));
+  run.check("a source, Fig. 2", "growth | rate", 0.5, reported(0.6));
+  run.table("numbers", {{"time", std::vector{0.0, 1.0}}, {"value", std::vector{2.0, 3.0}}});
 }
 void one_fails(CaseRun& run) {
-  run.at_most("a source", "error", 1e-3, 2e-3);
-  run.at_least("a source", "order", 1.9, 2.0);
+  run.check("a source", "error", 2e-3, at_most(1e-3));
+  run.check("a source", "order", 2.0, at_least(1.9));
 }
 void throws(CaseRun& run) {
-  run.at_most("a source", "seen before", 1.0, 0.0);
+  run.check("a source", "seen before", 0.0, at_most(1.0));
   throw InputError("no such scene");
 }
 void crashes(CaseRun&) {
@@ -62,17 +62,17 @@ void crashes(CaseRun&) {
 void says_nothing(CaseRun&) {}
 void runs_a_scene(CaseRun& run) {
   const CaseScene scene = run.scene("run", "bar.toml", {"body.spacing=0.05"});
-  run.absolute("", "particles", 21.0, static_cast<double>(scene.summary.particles), 0.0);
-  run.absolute("", "rows", static_cast<double>(scene.summary.steps + 1),
-               static_cast<double>(scene.probe("tip.displacement_x").size()), 0.0);
+  run.check("", "particles", static_cast<double>(scene.summary.particles), absolute(21.0, 0.0));
+  run.check("", "rows", static_cast<double>(scene.probe("tip.displacement_x").size()),
+            absolute(static_cast<double>(scene.summary.steps + 1), 0.0));
   const CaseScene lost =
       run.scene("lost", "bar.toml",
                 {"time.step=5e-3", "time.allow_unstable=true", "time.end=1e4", "output.frames=0"});
-  run.at_least("", "time of the failure", 0.0, lost.failed_at.value_or(nan));
+  run.check("", "time of the failure", lost.failed_at.value_or(nan), at_least(0.0));
 }
 void sleeps(CaseRun& run) {
   std::this_thread::sleep_for(std::chrono::seconds(20));
-  run.report("", "awake", 1.0);
+  run.check("", "awake", 1.0, reported());
 }
 
 class Validating : public StudyFolder {

@@ -1,14 +1,13 @@
-#include "signals.hpp"
+#include "samples.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
-#include <vector>
-
-#include "tlsph/analysis/history.hpp"
 
 namespace tlsph {
 
-double reaches(std::span<const double> time, std::span<const double> values, double level) {
+double reaches(const Samples& samples, double level) {
+  const auto& [time, values] = samples;
   for (std::size_t k = 1; k < time.size(); ++k) {
     const double a = std::abs(values[k - 1]);
     const double b = std::abs(values[k]);
@@ -17,18 +16,19 @@ double reaches(std::span<const double> time, std::span<const double> values, dou
   return time.back();
 }
 
-double arrival(std::span<const double> time, std::span<const double> values, double share) {
-  return reaches(time, values, share * peak(time, values, time.front(), time.back()));
+double arrival(const Samples& samples, double share) {
+  return reaches(samples, share * peak(samples));
 }
 
-double peak(std::span<const double> time, std::span<const double> values, double from, double to) {
+double peak(const Samples& samples, double end) {
   double largest = 0.0;
-  for (std::size_t k = 0; k < time.size(); ++k)
-    if (time[k] >= from && time[k] <= to) largest = std::max(largest, std::abs(values[k]));
+  for (std::size_t k = 0; k < samples.time.size() && samples.time[k] <= end; ++k)
+    largest = std::max(largest, std::abs(samples.values[k]));
   return largest;
 }
 
-double mean(std::span<const double> time, std::span<const double> values, double from, double to) {
+double mean(const Samples& samples, double from, double to) {
+  const auto& [time, values] = samples;
   double integral = 0.0;
   double length = 0.0;
   for (std::size_t k = 1; k < time.size(); ++k) {
@@ -40,17 +40,21 @@ double mean(std::span<const double> time, std::span<const double> values, double
 }
 
 double largest_difference(std::span<const double> values, std::span<const double> exact) {
+  assert(values.size() <= exact.size());
   double largest = 0.0;
   for (std::size_t k = 0; k < values.size(); ++k)
     largest = std::max(largest, std::abs(values[k] - exact[k]));
   return largest;
 }
 
-double relative_error(std::span<const double> time, std::span<const double> values,
-                      std::span<const double> exact) {
-  std::vector<double> difference(values.begin(), values.end());
+double relative_error(const Samples& samples, std::span<const double> exact) {
+  std::vector<double> difference(samples.values.begin(), samples.values.end());
   for (std::size_t k = 0; k < difference.size(); ++k) difference[k] -= exact[k];
-  return std::sqrt(squared_norm(time, difference) / squared_norm(time, exact));
+  return std::sqrt(squared_norm(samples.time, difference) / squared_norm(samples.time, exact));
+}
+
+double relative_error(const CaseScene& scene, std::string_view column) {
+  return relative_error(scene.samples(column), scene.exact_samples(column).values);
 }
 
 }  // namespace tlsph
