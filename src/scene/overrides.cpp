@@ -122,24 +122,4 @@ void apply_override(Node& root, const std::string& override_text) {
   *node = parse_value(text, place, path).value_or(Node{text, place, path});
 }
 
-void remove_key(Node& root, const std::string& path) {
-  const std::vector<Step> steps = split_path(path, {path, 0, 0, ""});
-  Node* parent = nullptr;
-  Node* node = &root;
-  for (const Step& step : steps) {
-    parent = node;
-    if (step.index) {
-      auto* list = node->list();
-      node = list != nullptr && *step.index < list->size() ? &(*list)[*step.index] : nullptr;
-    } else {
-      node = node->table() != nullptr ? node->find(step.name) : nullptr;
-    }
-    if (node == nullptr) return;
-  }
-  if (const Step& last = steps.back(); last.index)
-    parent->list()->erase(parent->list()->begin() + static_cast<std::ptrdiff_t>(*last.index));
-  else
-    std::erase_if(*parent->table(), [&](const Entry& entry) { return entry.name == last.name; });
-}
-
 }  // namespace tlsph

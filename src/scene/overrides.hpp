@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Changes to a scene's tree by dotted path: `--set key=value`, and taking a key out.
+/// Changes to a scene's tree by dotted path: `--set key=value`.
 
 #include <string>
 
@@ -12,8 +12,5 @@ namespace tlsph {
 /// on the way as needed. InputError, naming the override, if it is malformed or the path runs
 /// through something that has no keys.
 void apply_override(Node& root, const std::string& override_text);
-
-/// Takes out the key, or the entry of a list, at that path; does nothing where there is none.
-void remove_key(Node& root, const std::string& path);
 
 }  // namespace tlsph

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cassert>
-#include <limits>
 
 namespace tlsph {
 
@@ -43,45 +42,6 @@ const Node& TableView::require(std::string_view name) const {
   std::string what = missing.doc;
   if (!missing.unit.empty()) what += (what.empty() ? "in " : ", in ") + missing.unit;
   throw InputError(place_of(name), fmt::format("missing{}{}", what.empty() ? "" : ": ", what));
-}
-
-Node TableView::value_or_default(std::string_view name) const {
-  const std::string& standard = key(name).standard;
-  if (has(name) || standard.empty()) return require(name);
-  const auto value = parse_value(standard, place_of(name), join_path(path_, std::string(name)));
-  assert(value && "defaults that depend on other keys are not for this function");
-  return *value;
-}
-
-bool TableView::flag(std::string_view name) const {
-  return *value_or_default(name).flag();
-}
-
-double TableView::number(std::string_view name) const {
-  return value_or_default(name).number();
-}
-
-long long TableView::integer(std::string_view name) const {
-  return *value_or_default(name).integer();
-}
-
-int TableView::small_integer(std::string_view name) const {
-  const long long value = integer(name);
-  if (value > std::numeric_limits<int>::max() || value < std::numeric_limits<int>::min())
-    throw InputError(place_of(name), fmt::format("must be at most {}, not {}",
-                                                 std::numeric_limits<int>::max(), value));
-  return static_cast<int>(value);
-}
-
-std::string TableView::text(std::string_view name) const {
-  return *value_or_default(name).text();
-}
-
-std::vector<std::string> TableView::texts(std::string_view name) const {
-  std::vector<std::string> result;
-  const Node value = value_or_default(name);
-  for (const Node& item : *value.list()) result.push_back(*item.text());
-  return result;
 }
 
 std::vector<double> read_vector(const Node& node, int length, const std::string& meaning) {

@@ -136,7 +136,7 @@ std::string plan_in(const Scene& scene) {
       disc.points.size(), disc.spacing,
       scene.body.spacing > 0.0 ? "" : ", estimated from the points");
   text += scene.kernel.support ? fmt::format("kernel {}, support {} spacings\n",
-                                             scene.kernel.family, *scene.kernel.support)
+                                             scene.kernel.family.get(), *scene.kernel.support)
                                : std::string(disc.particles.triangles.empty()
                                                  ? "gradients from the nodes of each cell\n"
                                                  : "gradients from the triangles beside each "

@@ -1,9 +1,8 @@
 // A strip between rollers is a bar.
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "reduction_parts.hpp"
+#include "tlsph/geometry/region.hpp"
 #include "tlsph/scene/conditions.hpp"
 #include "tlsph/simulation/reduction.hpp"
 
@@ -34,10 +33,23 @@ bool depends_on_x_only(const InitialField& field) {
   return g.empty() || (g[0][1] == 0.0 && g[1][0] == 0.0 && g[1][1] == 0.0);
 }
 
-std::vector<std::string> initial_overrides(const char* key, const InitialField& field) {
-  if (field.kind == InitialField::Kind::zero) return {};
-  return {fmt::format("initial.{}={{constant=[{:.17g}],gradient=[[{:.17g}]]}}", key,
-                      field.constant[0], field.gradient.empty() ? 0.0 : field.gradient[0][0])};
+/// Its part along x.
+InitialField along_x(const InitialField& field) {
+  InitialField bar = field;
+  if (field.kind == InitialField::Kind::zero) return bar;
+  bar.constant = {field.constant[0]};
+  bar.gradient = {{field.gradient.empty() ? 0.0 : field.gradient[0][0]}};
+  return bar;
+}
+
+/// What left or right does in 1D; nothing where it held y alone.
+std::optional<BoundaryScene> end_of_bar(const BoundaryScene& entry) {
+  BoundaryScene end = entry;
+  const bool holds = std::ranges::find(entry.fixed, 0) != entry.fixed.end();
+  if (!holds && !entry.symmetry && entry.motion.empty() && !entry.normal_traction)
+    return std::nullopt;
+  end.fixed = holds ? std::vector{0} : std::vector<int>{};
+  return end;
 }
 
 }  // namespace
@@ -51,46 +63,29 @@ std::optional<Reduction> to_one_dimension(const Scene& scene) {
   if (!depends_on_x_only(scene.displacement) || !depends_on_x_only(scene.velocity))
     return std::nullopt;
 
-  Reduction reduction;
-  reduction.what = "1D: nothing depends on y";
-  reduction.overrides = {"dimension=1", fmt::format("body.shape={{interval=[{:.17g},{:.17g}]}}",
-                                                    box->lower.x(), box->upper.x())};
-  reduction.removed = {"body.fit"};
-  std::vector<std::string> conditions;
-  std::size_t kept = 0;
-  for (std::size_t k = 0; k < scene.boundaries.size(); ++k) {
-    const BoundaryScene& entry = scene.boundaries[k];
-    if (entry.where != "left" && entry.where != "right") {
-      if (entry.where != "top" && entry.where != "bottom") return std::nullopt;
-      conditions.push_back(fmt::format("boundary[{}]", k));
-      continue;
-    }
-    if (!acts_along_x(entry)) return std::nullopt;
-    const bool holds = std::ranges::find(entry.fixed, 0) != entry.fixed.end();
-    if (!holds && !entry.symmetry && entry.motion.empty() && !entry.normal_traction) {
-      conditions.push_back(fmt::format("boundary[{}]", k));  // it held y alone
-      continue;
-    }
-    if (!entry.fixed.empty() && !holds)
-      reduction.removed.push_back(fmt::format("boundary[{}].fixed", k));
-    if (holds) reduction.overrides.push_back(fmt::format("boundary[{}].fixed=true", kept));
-    ++kept;
+  Reduction reduction{"1D: nothing depends on y", scene};
+  Scene& bar = reduction.scene;
+  bar.dimension = 1;
+  bar.body.shape = make_interval(box->lower.x(), box->upper.x());
+  const BodyScene standard;
+  bar.body.fit = standard.fit;
+  bar.boundaries.clear();
+  for (const BoundaryScene& entry : scene.boundaries) {
+    if (entry.where == "top" || entry.where == "bottom") continue;
+    if ((entry.where != "left" && entry.where != "right") || !acts_along_x(entry))
+      return std::nullopt;
+    if (auto end = end_of_bar(entry)) bar.boundaries.push_back(std::move(*end));
   }
-  reduction.removed.insert(reduction.removed.end(), conditions.rbegin(), conditions.rend());
-  for (std::size_t k = 1; k < scene.materials.size(); ++k) {
-    const MaterialScene& region = scene.materials[k];
+  for (std::size_t k = 1; k < bar.materials.size(); ++k) {
+    MaterialScene& region = bar.materials[k];
     if (region.lower[1] > box->lower.y() || region.upper[1] < box->upper.y()) return std::nullopt;
-    reduction.overrides.push_back(fmt::format("material.region[{}].box=[{:.17g},{:.17g}]", k - 1,
-                                              region.lower[0], region.upper[0]));
+    region.lower.resize(1);
+    region.upper.resize(1);
   }
-  for (std::size_t k = 0; k < scene.probes.size(); ++k)
-    reduction.overrides.push_back(fmt::format("probe[{}].at=[{:.17g}]", k, scene.probes[k].at[0]));
-  if (!scene.body_force.empty())
-    reduction.overrides.push_back(fmt::format("gravity=[{:.17g}]", scene.body_force[0]));
-  for (const auto& [key, field] :
-       {std::pair("displacement", scene.displacement), std::pair("velocity", scene.velocity)})
-    for (std::string& text : initial_overrides(key, field))
-      reduction.overrides.push_back(std::move(text));
+  for (ProbeScene& probe : bar.probes) probe.at.resize(1);
+  if (!bar.body_force.empty()) bar.body_force.resize(1);
+  bar.displacement = along_x(scene.displacement);
+  bar.velocity = along_x(scene.velocity);
   return reduction;
 }
 

@@ -122,27 +122,16 @@ bool has_twin(const Shape<2>& hole, const std::vector<Shape<2>>& all, const Mirr
   });
 }
 
-std::string text_of(const Box<2>& box) {
-  return fmt::format("{{box=[[{:.17g},{:.17g}],[{:.17g},{:.17g}]]}}", box.lower.x(), box.lower.y(),
-                     box.upper.x(), box.upper.y());
-}
-
-std::string text_of(const Shape<2>& hole) {
-  if (const auto* box = std::get_if<Box<2>>(&hole.form)) return text_of(*box);
-  const auto& disc = std::get<Disc>(hole.form);
-  return fmt::format("{{disc={{centre=[{:.17g},{:.17g}],radius={:.17g}}}}}", disc.centre.x(),
-                     disc.centre.y(), disc.radius);
-}
-
 /// The half box without the holes that reach into it.
-std::string half_shape(const Box<2>& half, const std::vector<Shape<2>>& holes, int axis) {
-  std::string text;
+Shape<2> half_shape(const Box<2>& half, const std::vector<Shape<2>>& holes, int axis) {
+  std::vector<Shape<2>> inside;
   for (const Shape<2>& hole : holes) {
     const Box<2> around = bounding_box(hole);
     if (around.lower(axis) < half.upper(axis) && around.upper(axis) > half.lower(axis))
-      text.append(",").append(text_of(hole));
+      inside.push_back(hole);
   }
-  return text.empty() ? text_of(half) : fmt::format("{{difference=[{}{}]}}", text_of(half), text);
+  const Shape<2> base = make_box<2>(half.lower, half.upper);
+  return inside.empty() ? base : make_difference(base, std::move(inside));
 }
 
 }  // namespace
@@ -175,18 +164,15 @@ std::optional<Reduction> to_half(const Scene& scene, int axis) {
   Box<2> half = *box;
   (lower ? half.upper : half.lower)(axis) = mirror.position;
   const char* cut = sides[n][lower ? 1 : 0];
-  Reduction reduction;
-  reduction.what =
-      fmt::format("half of it: {} = {:.6g} m is a plane of symmetry", "xy"[axis], mirror.position);
-  reduction.overrides.push_back("body.shape=" + half_shape(half, holes, axis));
-  std::size_t kept = scene.boundaries.size();
-  for (std::size_t k = scene.boundaries.size(); k-- > 0;)
-    if (scene.boundaries[k].where == cut) {
-      reduction.removed.push_back(fmt::format("boundary[{}]", k));
-      --kept;
-    }
-  reduction.overrides.push_back(
-      fmt::format("boundary[{}]={{where=\"{}\",symmetry=true}}", kept, cut));
+  Reduction reduction{
+      fmt::format("half of it: {} = {:.6g} m is a plane of symmetry", "xy"[axis], mirror.position),
+      scene};
+  reduction.scene.body.shape = half_shape(half, holes, axis);
+  auto& boundaries = reduction.scene.boundaries;
+  std::erase_if(boundaries, [&](const BoundaryScene& entry) { return entry.where == cut; });
+  BoundaryScene& roller = boundaries.emplace_back();
+  roller.where = cut;
+  roller.symmetry = true;
   return reduction;
 }
 

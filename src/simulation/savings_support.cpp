@@ -4,7 +4,6 @@
 #include "tlsph/model/builder.hpp"
 #include "tlsph/scene/edit.hpp"
 #include "tlsph/scene/names.hpp"
-#include "tlsph/scene/reader.hpp"
 #include "tlsph/stepping/critical_step.hpp"
 
 namespace tlsph::savings {
@@ -27,12 +26,16 @@ template <int D>
 std::string of_support(const Scene& scene, const Discretisation<D>& disc, double dt) {
   if (!scene.kernel.support || disc.nodes() > many || !(dt > 0.0)) return "";
   // The default of a formulation is what its order needs.
-  std::vector<std::string> removed = {"kernel.support"};
-  const bool cells = scene.formulation == Formulation::stress_point && !scene.body.is_cloud();
-  if (cells) removed = {"kernel", "stabiliser", "consistency"};
+  const Scene standard;
+  Scene needed = scene;
+  needed.kernel.support = standard.kernel.support;
+  if (scene.formulation == Formulation::stress_point && !scene.body.is_cloud()) {
+    needed.kernel = {};
+    needed.stabiliser = {};
+    needed.consistency = standard.consistency;
+  }
   try {
-    const Scene needed =
-        read_scene_text(edit_scene_text(scene.text, scene.file, removed, {}), scene.file);
+    needed = completed(needed);
     if (needed.kernel.support && *needed.kernel.support >= *scene.kernel.support) return "";
     const Discretisation<D> smaller = build<D>(needed);
     InitialState<D> initial = build_initial<D>(needed, smaller);

@@ -1,7 +1,5 @@
 #include "crush.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,6 +10,7 @@
 #include "tlsph/core/error.hpp"
 #include "tlsph/materials/kinematics.hpp"
 #include "tlsph/model/builder.hpp"
+#include "tlsph/scene/edit.hpp"
 #include "tlsph/stepping/stepper.hpp"
 
 namespace tlsph {
@@ -23,19 +22,11 @@ constexpr long compare_every = 3;  ///< steps between comparisons with the true 
 /// The right edge moves in at `speed` [m/s], from one instant to the next.
 Scene crushing(const Subject& subject, const Method& method, double speed) {
   const double way = (1.0 - stretch) * (subject.upper[0] - subject.lower[0]);
-  const std::string press = fmt::format(
-      R"({{where="right", displacement={{x={{curve="ramp", amplitude={:.17g}, rise={:.17g}}}}}}})",
-      -way, way / speed);
-  std::vector<std::string> set = subject.overrides;
-  set.insert(set.end(), method.settings.begin(), method.settings.end());
-  set.push_back(
-      subject.dimension == 1
-          ? fmt::format(R"(boundary=[{{where="left", fixed=true}}, {}])", press)
-          : fmt::format(R"(boundary=[{{where="left", fixed="x"}}, {{where="bottom", fixed="y"}}, )"
-                        R"({{where="top", fixed="y"}}, {}])",
-                        press));
-  set.push_back(fmt::format("time={{end={:.17g}}}", way / speed));
-  return subject.read(set);
+  Scene scene = subject.scene;
+  method.apply_to(scene);
+  scene.boundaries = sliding_edges(subject.dimension, RampCurve{-way, way / speed});
+  scene.time.end = way / speed;
+  return completed(scene);
 }
 
 template <int D>
@@ -116,7 +107,7 @@ std::vector<Method> crushed_methods(int dimension) {
 CrushRow crush_row(const Subject& subject, const Method& method, Motion motion, double speed,
                    double safety, Follow follow, int finer) {
   Subject body = subject;
-  body.overrides.push_back(fmt::format("body.spacing={:.17g}", subject.spacing / finer));
+  body.scene.body.spacing = subject.spacing / finer;
   CrushRow row;
   row.method = method.name;
   row.follow = follow == Follow::never ? "the first step" : "followed";

@@ -137,7 +137,7 @@ AtlasRow judge(const Subject& subject, const StateKey& key, FirstVibration& firs
     row.formulation = name_of(scene.formulation);
     row.kernel = scene.formulation == Formulation::stress_point && !scene.kernel.support
                      ? "cell"
-                     : scene.kernel.family;
+                     : scene.kernel.family.get();
     row.support = scene.kernel.support.value_or(not_known);
     in_dimension(subject.dimension, [&]<int D>() { look_at<D>(subject, key, first, row); });
   } catch (const InputError& error) {

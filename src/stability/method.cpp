@@ -5,64 +5,83 @@
 #include <algorithm>
 #include <array>
 
+#include "tlsph/scene/names.hpp"
+
 namespace tlsph {
 namespace {
 
 using Cover = Method::Cover;
 
-std::string kernel(double support, const std::string& rest = "") {
-  return fmt::format("kernel={{support={}{}}}", support, rest);
-}
-
-std::string family(const char* name, double support) {
-  return fmt::format(R"(kernel={{family="{}", support={}}})", name, support);
-}
-
-constexpr const char* bare = R"(stabiliser={kind="none"})";
-constexpr const char* pair = R"(stabiliser={kind="pair"})";
-constexpr const char* viscous = R"(stabiliser={kind="pair", as="viscosity"})";
-constexpr const char* cell = R"(stabiliser={kind="cell"})";
-
 constexpr std::array other_kernels = {"cubic-spline", "quadratic", "gaussian",
                                       "lucy",         "mollifier", "modified-mollifier"};
 
-Method thesis(const std::string& closure, double support, Cover cover) {
-  return {fmt::format("thesis {} {}", closure, support),
-          {"formulation=thesis", "boundary_treatment=" + closure, kernel(support), bare},
-          cover,
-          true};
+Method method(std::string name, Formulation formulation, std::optional<double> support,
+              StabiliserKind stabiliser, Cover cover) {
+  Method result;
+  result.name = std::move(name);
+  result.formulation = formulation;
+  if (support) result.kernel.support = support;
+  result.stabiliser.kind = stabiliser;
+  result.cover = cover;
+  return result;
+}
+
+Method stress_point(std::string name, StabiliserKind stabiliser) {
+  return method(std::move(name), Formulation::stress_point, std::nullopt, stabiliser, Cover::all);
+}
+
+Method thesis(GhostClosure closure, double support, Cover cover) {
+  Method result = method(fmt::format("thesis {} {}", name_of(closure), support),
+                         Formulation::thesis, support, StabiliserKind::none, cover);
+  result.ghosts = closure;
+  result.lattice = true;
+  return result;
 }
 
 Method mirror(double support, Cover cover) {
-  return {fmt::format("mirror {}", support),
-          {"formulation=mirror", kernel(support), bare},
-          cover,
-          true};
+  Method result = method(fmt::format("mirror {}", support), Formulation::mirror, support,
+                         StabiliserKind::none, cover);
+  result.lattice = true;
+  return result;
 }
 
 Method variational(double support, bool stabilised, Cover cover) {
-  return {fmt::format("variational {}{}", support, stabilised ? " + S" : ""),
-          {"formulation=variational", kernel(support), stabilised ? pair : bare},
-          cover,
-          false,
-          true};
+  Method result = method(fmt::format("variational {}{}", support, stabilised ? " + S" : ""),
+                         Formulation::variational, support,
+                         stabilised ? StabiliserKind::pair : StabiliserKind::none, cover);
+  result.cell_centred = true;
+  return result;
 }
 
-Method corrected(const char* correction, Cover cover) {
-  return {fmt::format("variational 2.5 {} + S", correction),
-          {"formulation=variational", kernel(2.5, fmt::format(R"(, correction="{}")", correction)),
-           pair},
-          cover};
+Method corrected(Correction correction) {
+  Method result = method(fmt::format("variational 2.5 {} + S", name_of(correction)),
+                         Formulation::variational, 2.5, StabiliserKind::pair, Cover::few);
+  result.kernel.correction = correction;
+  return result;
 }
 
 Method consistent(int rows, int columns, Cover cover) {
-  return {fmt::format("consistent [{}, {}]", rows, columns),
-          {"formulation=consistent", fmt::format("consistency=[{}, {}]", rows, columns), viscous},
-          cover};
+  Method result = method(fmt::format("consistent [{}, {}]", rows, columns), Formulation::consistent,
+                         std::nullopt, StabiliserKind::pair, cover);
+  result.consistency = ConsistencyScene{rows, columns, false, {}};
+  result.stabiliser.action = StabiliserAction::viscosity;
+  return result;
 }
 
+/// With another kernel, at few states.
+Method with_kernel(Method result, const std::string& family) {
+  const auto place = result.name.ends_with(" + S") ? result.name.size() - 4 : result.name.size();
+  result.name.insert(place, " " + family);
+  result.kernel.family = family;
+  result.cover = Cover::few;
+  result.cell_centred = false;
+  return result;
+}
+
+constexpr std::array corrections = {Correction::none, Correction::gradient, Correction::mixed};
+
 std::vector<Method> bar_methods() {
-  std::vector<Method> list = {{"stress-point", {"formulation=stress-point", bare}, Cover::all}};
+  std::vector<Method> list = {stress_point("stress-point", StabiliserKind::none)};
   for (const double support : {1.01, 1.5, 2.5, 3.5, 5.5})
     list.push_back(variational(support, false, Cover::all));
   for (const double support : {1.5, 2.5, 5.5})
@@ -71,29 +90,22 @@ std::vector<Method> bar_methods() {
   for (const double support : {1.01, 1.5, 2.5, 3.5, 5.5})
     list.push_back(mirror(support, Cover::all));
   for (const double support : {1.5, 2.5, 3.5, 5.5})
-    list.push_back(thesis("consistent", support, Cover::all));
+    list.push_back(thesis(GhostClosure::consistent, support, Cover::all));
   for (const double support : {2.5, 5.5}) {
-    list.push_back(thesis("as-printed", support, Cover::few));
-    list.push_back(thesis("eta", support, Cover::few));
+    list.push_back(thesis(GhostClosure::as_printed, support, Cover::few));
+    list.push_back(thesis(GhostClosure::eta, support, Cover::few));
   }
-  for (const char* name : {"none", "gradient", "mixed"})
-    list.push_back(corrected(name, Cover::few));
-  for (const char* name : other_kernels)
-    list.push_back({fmt::format("mirror 2.5 {}", name),
-                    {"formulation=mirror", family(name, 2.5), bare},
-                    Cover::few,
-                    true});
+  for (const Correction correction : corrections) list.push_back(corrected(correction));
+  for (const char* name : other_kernels) list.push_back(with_kernel(mirror(2.5, Cover::few), name));
   return list;
 }
 
 std::vector<Method> sheet_methods() {
-  std::vector<Method> list = {
-      {"stress-point cells + S", {"formulation=stress-point", cell}, Cover::all},
-      {"stress-point cells", {"formulation=stress-point", bare}, Cover::all},
-      {"stress-point fit 1.8",
-       {"formulation=stress-point", kernel(1.8), "consistency=true", bare},
-       Cover::all},
-  };
+  Method fit = stress_point("stress-point fit 1.8", StabiliserKind::none);
+  fit.kernel.support = 1.8;
+  fit.consistency = ConsistencyScene{1, 0, true, {}};
+  std::vector<Method> list = {stress_point("stress-point cells + S", StabiliserKind::cell),
+                              stress_point("stress-point cells", StabiliserKind::none), fit};
   list.push_back(variational(1.01, true, Cover::few));
   list.push_back(variational(1.5, true, Cover::all));
   list.push_back(variational(2.5, false, Cover::all));
@@ -102,19 +114,25 @@ std::vector<Method> sheet_methods() {
   list.push_back(variational(5.5, true, Cover::few));
   list.push_back(consistent(1, 1, Cover::all));
   list.push_back(consistent(2, 1, Cover::few));
-  for (const char* name : {"none", "gradient", "mixed"})
-    list.push_back(corrected(name, Cover::few));
+  for (const Correction correction : corrections) list.push_back(corrected(correction));
   for (const char* name : other_kernels)
-    list.push_back({fmt::format("variational 2.5 {} + S", name),
-                    {"formulation=variational", family(name, 2.5), pair},
-                    Cover::few});
+    list.push_back(with_kernel(variational(2.5, true, Cover::few), name));
   for (const double support : {2.5, 5.5}) list.push_back(mirror(support, Cover::few));
   for (const double support : {2.5, 5.5})
-    list.push_back(thesis("consistent", support, Cover::reference));
+    list.push_back(thesis(GhostClosure::consistent, support, Cover::reference));
   return list;
 }
 
 }  // namespace
+
+void Method::apply_to(Scene& scene) const {
+  scene.formulation = formulation;
+  scene.formulation_place = {};
+  scene.kernel = kernel;
+  scene.stabiliser = stabiliser;
+  if (ghosts.given()) scene.ghosts = ghosts;
+  if (consistency.given()) scene.consistency = consistency;
+}
 
 std::vector<Method> atlas_methods(int dimension) {
   return dimension == 1 ? bar_methods() : sheet_methods();

@@ -5,17 +5,26 @@
 #include <string>
 #include <vector>
 
+#include "tlsph/scene/scene.hpp"
+
 namespace tlsph {
 
-/// A scene's operators, as overrides of its keys.
+/// Operators of a scene.
 struct Method {
   std::string name;
-  std::vector<std::string> settings;
+  Formulation formulation = Formulation::stress_point;
+  KernelScene kernel;
+  StabiliserScene stabiliser;
+  Defaulted<GhostClosure> ghosts = GhostClosure::consistent;
+  Defaulted<std::optional<ConsistencyScene>> consistency;
   /// All states, or a few: kernels and supports that differ in degree only, formulations whose
   /// spectra are dear.
   enum class Cover { all, few, reference } cover = Cover::all;
   bool lattice = false;       ///< cannot have irregular particles
   bool cell_centred = false;  ///< may have no particle on the boundary
+
+  /// Gives the scene these operators; what a method leaves open stays.
+  void apply_to(Scene& scene) const;
 };
 
 [[nodiscard]] std::vector<Method> atlas_methods(int dimension);

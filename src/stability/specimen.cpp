@@ -9,6 +9,7 @@
 #include "tlsph/core/error.hpp"
 #include "tlsph/geometry/region.hpp"
 #include "tlsph/model/builder.hpp"
+#include "tlsph/scene/edit.hpp"
 #include "tlsph/scene/reader.hpp"
 
 namespace tlsph {
@@ -19,15 +20,23 @@ constexpr Index enough_particles = 260;
 constexpr int cells_of_a_bar = 60;
 constexpr int cells_of_a_strip = 20;
 
-/// What belongs to the run of the scene, not to its body and material.
-const std::vector<std::string> bare_scene = {
-    "boundary=[]", "initial={}", "probe=[]", "reference={}", "output={}", "time={end=1.0}",
-};
-
-std::vector<std::string> with(std::vector<std::string> first,
-                              const std::vector<std::string>& then) {
-  first.insert(first.end(), then.begin(), then.end());
-  return first;
+/// The body and the material of the scene: nothing of its run, and operators that build with any.
+Scene bare(const Scene& asked) {
+  Scene scene = asked;
+  scene.boundaries.clear();
+  scene.displacement = scene.velocity = {};
+  scene.initial_regions.clear();
+  scene.probes.clear();
+  scene.exact = ExactKind::none;
+  scene.output = {};
+  scene.time = {};
+  scene.time.end = 1.0;
+  scene.formulation = Formulation::variational;
+  scene.kernel = {};
+  scene.stabiliser = {};
+  scene.body.jitter = 0.0;
+  scene.body.placement = NodePlacement::on_boundary;
+  return completed(scene);
 }
 
 template <int D>
@@ -35,18 +44,20 @@ Box<D> extent(const Scene& scene) {
   return bounding_box<D>(std::get<Shape<D>>(scene.body.shape));
 }
 
-/// The scene's spacing, or the finest division of its length with few enough particles.
+/// The scene at its spacing, or at the finest division of its length with few enough particles.
 template <int D>
-std::vector<std::string> small_body(const Subject& subject, const Scene& scene) {
-  if (build_particles<D>(scene).size() <= (D == 1 ? cells_of_a_bar + 1 : enough_particles))
-    return {};
-  const double length = subject.upper[0] - subject.lower[0];
+Scene small(const Scene& scene, double length) {
+  const auto is_small = [](const Scene& one) {
+    return build_particles<D>(one).size() <= (D == 1 ? cells_of_a_bar + 1 : enough_particles);
+  };
+  if (is_small(scene)) return scene;
   for (int cells = D == 1 ? cells_of_a_bar : 60; cells >= 2; --cells) {
-    const std::string spacing = fmt::format("body.spacing={:.17g}", length / cells);
+    Scene coarse = scene;
+    coarse.body.spacing = length / cells;
+    coarse.body.spacing_place = {};
     try {
-      const Scene coarse = subject.read(with(subject.overrides, {spacing}));
-      if (build_particles<D>(coarse).size() <= (D == 1 ? cells_of_a_bar + 1 : enough_particles))
-        return {spacing};
+      coarse = completed(coarse);
+      if (is_small(coarse)) return coarse;
     } catch (const InputError&) {
       continue;  // no division of the other direction
     }
@@ -57,34 +68,44 @@ std::vector<std::string> small_body(const Subject& subject, const Scene& scene) 
                                enough_particles));
 }
 
-std::string number(double value) {
-  return fmt::format("{:.17g}", value);
+BoundaryScene condition(const char* where) {
+  BoundaryScene entry;
+  entry.where = where;
+  return entry;
 }
 
-/// The edges of a box slide along themselves, a stretch apart.
-std::string edges(const Subject& subject, double stretch) {
-  if (!subject.box) return R"(boundary=[{where="boundary", held=true}])";
-  const double move = (stretch - 1.0) * (subject.upper[0] - subject.lower[0]);
-  if (subject.dimension == 1)
-    return fmt::format(
-        R"(boundary=[{{where="left", fixed=true}}, {{where="right", displacement={{x={}}}}}])",
-        number(move));
-  return fmt::format(R"(boundary=[{{where="left", fixed="x"}}, {{where="bottom", fixed="y"}}, )"
-                     R"({{where="top", fixed="y"}}, {{where="right", displacement={{x={}}}}}])",
-                     number(move));
+BoundaryScene fixed(const char* where, int component) {
+  BoundaryScene entry = condition(where);
+  entry.fixed = {component};
+  return entry;
+}
+
+/// Every edge stays where the uniform stretch puts it, the edges of a box along themselves only.
+std::vector<BoundaryScene> edges(const Subject& subject, double stretch) {
+  if (subject.box)
+    return sliding_edges(subject.dimension,
+                         ConstantCurve{(stretch - 1.0) * (subject.upper[0] - subject.lower[0])});
+  BoundaryScene all = condition("boundary");
+  for (int component = 0; component < subject.dimension; ++component) all.held.push_back(component);
+  return {all};
 }
 
 }  // namespace
 
-Scene Subject::read(const std::vector<std::string>& settings) const {
-  return read_scene_text(text, name, settings);
+std::vector<BoundaryScene> sliding_edges(int dimension, const Curve& right) {
+  std::vector<BoundaryScene> edges = {fixed("left", 0)};
+  if (dimension == 2) {
+    edges.push_back(fixed("bottom", 1));
+    edges.push_back(fixed("top", 1));
+  }
+  edges.push_back(condition("right"));
+  edges.back().motion = {{0, right}};
+  return edges;
 }
 
 Subject read_subject(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   Subject subject;
   const Scene asked = read_scene(file, overrides);
-  subject.name = asked.file;
-  subject.text = asked.text;
   if (!asked.body.cloud.empty())
     throw InputError(asked.body.cloud_place,
                      "the atlas has lattices and jitters of its own, and points of a file stay "
@@ -92,14 +113,9 @@ Subject read_subject(const std::filesystem::path& file, const std::vector<std::s
   if (asked.materials.size() != 1)
     throw InputError(asked.materials.back().place,
                      "the atlas varies the material of a body of one; leave the other regions out");
-  subject.overrides = bare_scene;
-  subject.overrides.insert(subject.overrides.end(),
-                           {"formulation=variational", "kernel={}", "stabiliser={}",
-                            "body.jitter=0", R"(body.placement="on-boundary")"});
-  const Scene scene = subject.read(subject.overrides);
-  subject.dimension = scene.dimension;
-  subject.spacing = scene.body.spacing;
-  const MaterialScene& material = scene.materials.front();
+  subject.scene = bare(asked);
+  subject.dimension = asked.dimension;
+  const MaterialScene& material = asked.materials.front();
   if (!material.constant("poisson"))
     throw InputError(material.place,
                      "the atlas varies material.poisson; choose a law that has this constant");
@@ -107,38 +123,41 @@ Subject read_subject(const std::filesystem::path& file, const std::vector<std::s
   subject.young = material.moduli().young;
   subject.density = material.density;
   const auto look = [&]<int D>() {
-    const Box<D> box = extent<D>(scene);
+    const Box<D> box = extent<D>(asked);
     subject.lower = {box.lower.begin(), box.lower.end()};
     subject.upper = {box.upper.begin(), box.upper.end()};
-    subject.overrides = with(subject.overrides, small_body<D>(subject, scene));
-    const Particles<D> particles = build_particles<D>(subject.read(subject.overrides));
+    subject.scene = small<D>(subject.scene, subject.upper[0] - subject.lower[0]);
+    const Particles<D> particles = build_particles<D>(subject.scene);
     subject.spacing = particles.spacing;
     subject.box = particles.frame.has_value();
   };
-  in_dimension(scene.dimension, look);
+  in_dimension(asked.dimension, look);
   return subject;
 }
 
 Scene scene_of(const Subject& subject, const StateKey& key, Support support) {
   Subject body = subject;
-  std::vector<std::string> set = subject.overrides;
+  Scene& scene = body.scene;
   if (key.strip > 0) {
     const bool centred = key.method.cell_centred;
     const double height = (centred ? key.strip : key.strip - 1) * subject.spacing;
     const double length = cells_of_a_strip * subject.spacing;
-    set.push_back(
-        fmt::format("body.shape={{box=[[0.0, 0.0], [{}, {}]]}}", number(length), number(height)));
-    set.push_back("body.spacing=" + number(subject.spacing));
-    if (centred) set.emplace_back(R"(body.placement="cell-centred")");
+    scene.body.shape = make_box<2>({0.0, 0.0}, {length, height});
+    scene.body.spacing = subject.spacing;
+    scene.body.spacing_place = {};
+    if (centred) scene.body.placement = NodePlacement::cell_centred;
     body.lower = {0.0, 0.0};
     body.upper = {length, height};
     body.box = true;
   }
-  set = with(set, key.method.settings);
-  set.push_back("body.jitter=" + number(key.jitter));
-  set.push_back("material.poisson=" + number(key.poisson));
-  if (support == Support::sliding) set.push_back(edges(body, key.stretch));
-  return subject.read(set);
+  key.method.apply_to(scene);
+  scene.body.jitter = key.jitter;
+  MaterialScene& material = scene.materials.front();
+  const auto constants = constants_of(material.law);
+  const auto poisson = std::ranges::find(constants, "poisson", &LawConstant::name);
+  material.constants[static_cast<std::size_t>(poisson - constants.begin())] = key.poisson;
+  if (support == Support::sliding) scene.boundaries = edges(body, key.stretch);
+  return completed(scene);
 }
 
 template <int D>

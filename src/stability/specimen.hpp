@@ -14,16 +14,12 @@ namespace tlsph {
 
 /// The scene of an atlas, read once: its file may change while hundreds of states are drawn.
 struct Subject {
-  std::string name, text;              ///< the user's overrides applied
-  std::vector<std::string> overrides;  ///< what makes the body small and bare
+  Scene scene;  ///< small and bare
   int dimension = 2;
   bool box = true;                   ///< a full interval or box, whose edges can slide
   double spacing = 0.0;              ///< [m]
   std::vector<double> lower, upper;  ///< of the body [m]
   double poisson = 0.3, young = 1.0, density = 1.0;
-
-  /// The scene with these settings.
-  [[nodiscard]] Scene read(const std::vector<std::string>& settings) const;
 };
 
 /// Reads the scene, checks that an atlas can be drawn of it, and coarsens it to a few hundred
@@ -35,6 +31,9 @@ struct Subject {
 /// the uniform state of a material that carries waves is stable (van Hove; other shapes are held
 /// all around). `free`: nothing is held.
 enum class Support { sliding, free };
+
+/// The edges of a box slide along themselves; the right one moves along x.
+[[nodiscard]] std::vector<BoundaryScene> sliding_edges(int dimension, const Curve& right);
 
 /// The scene of a state.
 [[nodiscard]] Scene scene_of(const Subject& subject, const StateKey& key, Support support);

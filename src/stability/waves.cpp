@@ -1,10 +1,9 @@
 #include "waves.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "tlsph/geometry/region.hpp"
 #include "tlsph/model/builder.hpp"
 #include "tlsph/stepping/linearised_forces.hpp"
 
@@ -31,12 +30,10 @@ Discretisation<D> large_lattice(const Subject& subject, const StateKey& key) {
   large.lower.assign(D, 0.0);
   large.upper.assign(D, side);
   large.box = true;
-  const std::string shape =
-      D == 1 ? fmt::format("body.shape={{interval=[0.0, {:.17g}]}}", side)
-             : fmt::format("body.shape={{box=[[0.0, 0.0], [{0:.17g}, {0:.17g}]]}}", side);
-  large.overrides.insert(
-      large.overrides.end(),
-      {shape, fmt::format("body.spacing={:.17g}", subject.spacing), "body.tags=[]"});
+  BodyScene& body = large.scene.body;
+  body.shape = make_box<D>(Vector<D>::Zero(), Vector<D>::Constant(side));
+  body.spacing = subject.spacing;
+  body.tags.clear();
   return build<D>(scene_of(large, key, Support::sliding));
 }
 

@@ -22,28 +22,23 @@ namespace {
 /// Spacings a chart tries of itself: from this many halvings above the scene's to so many below.
 constexpr int coarsest = 2, finest = 6;
 
-template <int D>
-double divided(const Scene& scene) {
-  return build_particles<D>(scene).spacing;
-}
-
-/// The spacing as it divides the body.
-double divided_spacing(const ChartRequest& request, double spacing) {
-  std::vector<std::string> overrides = request.overrides;
-  overrides.push_back(fmt::format("body.spacing={}", spacing));
-  const Scene scene = read_scene(request.scene, overrides);
-  return in_dimension(scene.dimension, [&]<int D>() { return divided<D>(scene); });
+/// Refuses a spacing that does not divide the body of the scene.
+void check_spacing(const Scene& scene, double spacing) {
+  Scene spaced = scene;
+  spaced.body.spacing = spacing;
+  spaced.body.spacing_place = {fmt::format("--set body.spacing={}", spacing), 0, 0, ""};
+  in_dimension(scene.dimension, [&]<int D>() { (void)build_particles<D>(spaced); });
 }
 
 /// Spacings that divide the body; those that are asked for must.
-std::vector<double> ladder_of(const ChartRequest& request, double spacing) {
+std::vector<double> ladder_of(const ChartRequest& request, const Scene& scene) {
   std::vector<double> ladder;
   if (request.spacings.empty()) {
     // Finer ones divide it where this one does; their particles would only cost memory here.
     for (int halvings = -coarsest; halvings <= finest; ++halvings) {
-      const double next = spacing * std::pow(2.0, -halvings);
+      const double next = scene.body.spacing * std::pow(2.0, -halvings);
       try {
-        if (halvings < 0) (void)divided_spacing(request, next);
+        if (halvings < 0) check_spacing(scene, next);
         ladder.push_back(next);
       } catch (const InputError&) {
         ladder.clear();
@@ -52,7 +47,7 @@ std::vector<double> ladder_of(const ChartRequest& request, double spacing) {
     return ladder;
   }
   ladder = sorted_spacings(request.spacings);
-  for (const double next : ladder) (void)divided_spacing(request, next);
+  for (const double next : ladder) check_spacing(scene, next);
   return ladder;
 }
 
@@ -104,7 +99,7 @@ ChartPlan plan_chart(const ChartRequest& request) {
     plan.answers.push_back(value.answer.value_or(not_known));
   }
   check_peers(request.peers, request.overrides);
-  plan.ladder = ladder_of(request, plan.scene.body.spacing);
+  plan.ladder = ladder_of(request, plan.scene);
   in_dimension(plan.scene.dimension, [&]<int D>() { check_buildable<D>(plan.scene); });
   return plan;
 }

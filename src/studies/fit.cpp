@@ -82,7 +82,7 @@ class FitStudy {
   [[nodiscard]] Scene scene_of(const std::vector<std::string>& overrides, double spacing) const {
     std::vector<std::string> all = overrides;
     all.push_back(fmt::format("body.spacing={:.17g}", spacing));
-    return read_scene_text(plan_.text, plan_.name, all);
+    return read_scene_text(plan_.scene.text, plan_.scene.file, all);
   }
 
   std::optional<Pilot> measure(const Scene& scene, const std::string& what) const {
@@ -137,12 +137,12 @@ class FitStudy {
       conclude(family);
       return true;
     }
-    if (hoped_seconds(family.pilots, target, plan_.dimension) > best_seconds()) {
+    if (hoped_seconds(family.pilots, target, plan_.scene.dimension) > best_seconds()) {
       family.note = "dearer";
       return true;
     }
     const double next = predicted_seconds(family.pilots, family.pilots.back().spacing / refinement,
-                                          plan_.dimension);
+                                          plan_.scene.dimension);
     // Where the finest has met it, a finer one is to tell whether that was luck.
     if (std::abs(family.pilots.back().error) > target && next > best_seconds()) {
       family.note = "dearer";
@@ -161,7 +161,8 @@ class FitStudy {
 
   void conclude(FitFamily& family) const {
     tlsph::conclude(family, aim * table_.wanted,
-                    scene_of(family.overrides, family.pilots.back().spacing), plan_.dimension);
+                    scene_of(family.overrides, family.pilots.back().spacing),
+                    plan_.scene.dimension);
   }
 
   /// Of the families that reach the error; nullptr if none does.
@@ -183,7 +184,7 @@ class FitStudy {
     table_.reached = best != nullptr;
     if (best == nullptr) best = nearest();
     if (best == nullptr)
-      throw InputError({plan_.name, 0, 0, ""},
+      throw InputError({plan_.scene.file, 0, 0, ""},
                        "no formulation could be run at any of its coarsest spacings; try "
                        "tlsph run to see why");
     std::vector<std::string> overrides = best->overrides;

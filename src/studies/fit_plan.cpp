@@ -89,43 +89,52 @@ Read read_of(const std::string& value, const Scene& scene) {
   return {};
 }
 
-/// Leaves of the probes the one that is read.
-std::string without_output(const std::string& text, const FitRequest& request, const Scene& scene) {
-  std::vector<std::string> removed(chosen.begin(), chosen.end());
-  std::vector<std::string> overrides = {"output.frames=0"};
-  if (!request.value) {
-    removed.emplace_back("probe");
-  } else {
+/// Without what is the model's to choose, and of the probes the one that is read.
+Scene bare(const Scene& scene, const FitRequest& request) {
+  const Scene standard;
+  Scene bare = scene;
+  bare.formulation = standard.formulation;
+  bare.ghosts = standard.ghosts;
+  bare.boundary_solver = standard.boundary_solver;
+  bare.precision = standard.precision;
+  bare.consistency = standard.consistency;
+  bare.kernel = {};
+  bare.stabiliser = {};
+  bare.output = {};
+  bare.output.frames = 0;
+  bare.time.step.reset();
+  bare.body.fit = standard.body.fit;
+  bare.body.jitter = standard.body.jitter;
+  bare.body.seed = standard.body.seed;
+  bare.body.layout = standard.body.layout;
+  bare.body.placement = standard.body.placement;
+  bare.probes.clear();
+  if (request.value) {
     const Read read = read_of(request.value->name, scene);
-    for (std::size_t k = scene.probes.size(); k-- > 0;)
-      if (k != read.probe) removed.push_back(fmt::format("probe[{}]", k));
-    overrides.push_back(fmt::format("probe[0].name=\"{}\"", scene.probes[read.probe].name));
-    overrides.push_back(fmt::format("probe[0].record=[\"{}\"]", read.quantity));
+    bare.probes = {scene.probes[read.probe]};
+    bare.probes.front().record = {read.quantity};
   }
-  return edit_scene_text(text, scene.file, removed, overrides);
+  return completed(bare);
 }
 
-/// The smaller scene, if it is one.
+/// Takes the smaller scene in place of the plan's, if it is one.
 bool reduce(FitPlan& plan, const std::optional<Reduction>& reduction) {
   if (!reduction) return false;
-  const std::string text =
-      edit_scene_text(plan.text, plan.name, reduction->removed, reduction->overrides);
   try {
-    plan.dimension = read_scene_text(text, plan.name).dimension;
+    plan.scene = completed(reduction->scene);
   } catch (const InputError&) {
     return false;
   }
-  plan.text = text;
   plan.reductions.push_back(reduction->what);
   return true;
 }
 
 void reduce(FitPlan& plan, const FitRequest& request, const Scene& scene) {
-  if (plan.dimension != 2) return;
+  if (scene.dimension != 2) return;
   const bool reads_y =
       request.value && read_of(request.value->name, scene).component.find('y') != std::string::npos;
-  if (!reads_y && reduce(plan, to_one_dimension(read_scene_text(plan.text, plan.name)))) return;
-  for (const int axis : {0, 1}) reduce(plan, to_half(read_scene_text(plan.text, plan.name), axis));
+  if (!reads_y && reduce(plan, to_one_dimension(plan.scene))) return;
+  for (const int axis : {0, 1}) reduce(plan, to_half(plan.scene, axis));
 }
 
 template <int D>
@@ -158,15 +167,13 @@ FitPlan plan_fit(const FitRequest& request) {
   (void)plan_chart(study);
 
   FitPlan plan;
-  plan.name = scene.file;
-  plan.dimension = scene.dimension;
   plan.spacing = scene.body.spacing;
-  plan.text = without_output(scene.text, request, scene);
+  plan.scene = bare(scene, request);
   reduce(plan, request, scene);
   plan.quantity = request.value              ? request.value->name
                   : request.quantity.empty() ? "worst of displacement, velocity and stress"
                                              : request.quantity;
-  for (ChartFamily& family : chart_families(plan.dimension, {})) {
+  for (ChartFamily& family : chart_families(plan.scene.dimension, {})) {
     const std::string_view kernel = traits_of(*from_name<Formulation>(family.formulation)).kernel;
     if (family.distance <= variety && (family.kernel.empty() || family.kernel == kernel))
       plan.families.push_back(std::move(family));

@@ -8,9 +8,7 @@
 namespace tlsph {
 
 struct FitPlan {
-  std::string name;  ///< of the scene, for messages
-  std::string text;  ///< reduced, with nothing but the output that is read
-  int dimension = 2;
+  Scene scene;                          ///< reduced, with nothing but the output that is read
   double spacing = 0.0;                 ///< of the scene as it stands [m]
   std::vector<std::string> reductions;  ///< in words
   std::string quantity;

@@ -1,19 +1,28 @@
 #pragma once
 /// \file
-/// Scenes written by a program: keys taken out of a scene's text, others put in.
+/// Scenes changed by a program: copy one, set its members, complete it.
+///
+///     Scene finer = scene;
+///     finer.body.spacing = 0.5 * scene.body.spacing;
+///     finer = completed(finer);
 
 #include <string>
-#include <vector>
+
+#include "tlsph/scene/scene.hpp"
 
 namespace tlsph {
 
-/// The text with the keys `removed` taken out, one after the other, and then the overrides applied,
-/// as TOML; comments and layout are lost. Paths are those of an override; one that leads nowhere is
-/// no error. Of entries of a list take the last first: those behind one move up. `name` is how
-/// messages call the text. InputError for what is no TOML or no path; whether the result is a scene
-/// is for the reader to say.
-[[nodiscard]] std::string edit_scene_text(const std::string& text, const std::string& name,
-                                          const std::vector<std::string>& removed,
-                                          const std::vector<std::string>& overrides);
+/// The scene as TOML text that reads back to an equal one: the keys that are given, in the order of
+/// the reference. The only text that is not read back to the bit are loads by a table whose
+/// components differ: to rounding.
+[[nodiscard]] std::string print_scene(const Scene& scene);
+
+/// The scene as if it had been read: defaults follow the keys they depend on, `text` is the scene
+/// printed. What a new value contradicts is refused as in a file, by InputError. Places are those
+/// of the file the scene was read from, as far as they are kept.
+[[nodiscard]] Scene completed(const Scene& edited);
+
+/// Every key has the same value in both, whether given or by default.
+[[nodiscard]] bool equal(const Scene& a, const Scene& b);
 
 }  // namespace tlsph

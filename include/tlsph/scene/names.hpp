@@ -112,6 +112,11 @@ template <class E>
   return "";
 }
 
+template <class E>
+[[nodiscard]] constexpr std::string_view name_of(const Defaulted<E>& value) {
+  return name_of(value.get());
+}
+
 /// The value a word stands for; empty if it is none of them.
 template <class E>
 [[nodiscard]] constexpr std::optional<E> from_name(std::string_view word) {

@@ -1,7 +1,9 @@
 #pragma once
 /// \file
 /// A run described: what the user's scene file says, in SI units, defaults filled in. Plain data;
-/// the reader is in scene/reader.hpp.
+/// the reader is in scene/reader.hpp, changes by a program are in scene/edit.hpp. Every member that
+/// is a key has its row in the table of keys (src/scene/keys*.cpp); its initial value is the
+/// default.
 
 #include <algorithm>
 #include <array>
@@ -21,6 +23,7 @@
 #include "tlsph/materials/any_law.hpp"
 #include "tlsph/operators/correction.hpp"
 #include "tlsph/particles/node_placement.hpp"
+#include "tlsph/scene/defaulted.hpp"
 
 namespace tlsph {
 
@@ -41,10 +44,10 @@ struct BodyScene {
   std::variant<std::monostate, Shape<1>, Shape<2>> shape;
   std::string cloud;     // file of points, relative to the scene's folder; empty: a lattice
   double spacing = 0.0;  // [m]; 0: estimated from the points of the cloud
-  Layout layout = Layout::square;
+  Defaulted<Layout> layout = Layout::square;
   NodePlacement placement = NodePlacement::on_boundary;
-  bool fit =
-      true;  // outer nodes on curved and slanted edges instead of stairs (filling/fitted.hpp)
+  // Outer nodes on curved and slanted edges instead of stairs (filling/fitted.hpp).
+  Defaulted<bool> fit = true;
   double jitter = 0.0;  // share of the spacing, interior nodes only
   std::uint64_t seed = 1;
   std::vector<NamedBox> tags;
@@ -55,24 +58,25 @@ struct BodyScene {
 };
 
 struct KernelScene {
-  std::string family;  // default by formulation
-  std::optional<double>
-      support;    // full radius in spacings; empty = nodes of the cell (stress-point)
-  int order = 1;  // of the polynomials a least-squares gradient is exact for
-  Correction correction = Correction::least_squares;
+  Defaulted<std::string> family;
+  // Full radius in spacings; empty = nodes of the cell (stress-point).
+  Defaulted<std::optional<double>> support;
+  Defaulted<int> order = 1;  // of the polynomials a least-squares gradient is exact for
+  Defaulted<Correction> correction = Correction::least_squares;
   Place place;
 };
 
 /// Degrees of the polynomials that the gradient and its adjoint are made exact for.
 struct ConsistencyScene {
   int rows = 1, columns = 0;
+  bool standard = false;  // those that suit the formulation, whichever it is
   Place place;
 };
 
 struct StabiliserScene {
-  StabiliserKind kind = StabiliserKind::none;
+  Defaulted<StabiliserKind> kind = StabiliserKind::none;
   std::optional<double> coefficient;  // empty = auto
-  StabiliserAction action = StabiliserAction::stiffness;
+  Defaulted<StabiliserAction> action = StabiliserAction::stiffness;
   Place place;
 };
 
@@ -123,7 +127,7 @@ struct TimeScene {
 struct ProbeScene {
   std::string name;
   std::vector<double> at;
-  std::vector<std::string> record;  // names of quantities
+  std::vector<std::string> record = {"displacement"};  // names of quantities
   Place place;
 };
 
@@ -159,13 +163,14 @@ struct Scene {
   std::string title;
   int dimension = 2;
   Formulation formulation = Formulation::stress_point;
-  GhostClosure ghosts = GhostClosure::consistent;
-  SolverChoice boundary_solver = SolverChoice::automatic;
+  Defaulted<GhostClosure> ghosts = GhostClosure::consistent;
+  Defaulted<SolverChoice> boundary_solver = SolverChoice::automatic;
   Precision precision = Precision::full;
   Place formulation_place, boundary_solver_place;
   BodyScene body;
   KernelScene kernel;
-  std::optional<ConsistencyScene> consistency;  // empty: gradients stay as they are
+  // Empty: gradients stay as they are.
+  Defaulted<std::optional<ConsistencyScene>> consistency;
   StabiliserScene stabiliser;
   std::vector<MaterialScene> materials;
   std::vector<BoundaryScene> boundaries;

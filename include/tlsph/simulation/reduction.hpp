@@ -7,17 +7,15 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "tlsph/scene/scene.hpp"
 
 namespace tlsph {
 
-/// How to write the smaller scene (scene/edit.hpp).
 struct Reduction {
-  std::string
-      what;  ///< "1D: nothing depends on y", "half of it: x = 0.05 m is a plane of symmetry"
-  std::vector<std::string> removed, overrides;
+  /// "1D: nothing depends on y", "half of it: x = 0.05 m is a plane of symmetry".
+  std::string what;
+  Scene scene;  ///< the smaller one, to be completed (scene/edit.hpp)
 };
 
 /// A box under plane strain whose long sides slide along rigid walls and which is loaded, held,

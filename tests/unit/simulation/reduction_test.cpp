@@ -63,8 +63,8 @@ Scene read(const std::string& text, const std::vector<std::string>& overrides = 
   return read_scene_text(text, "scene", overrides);
 }
 
-Scene smaller(const Scene& scene, const Reduction& reduction) {
-  return read(edit_scene_text(scene.text, "scene", reduction.removed, reduction.overrides));
+Scene smaller(const Reduction& reduction) {
+  return completed(reduction.scene);
 }
 
 TEST(ToOneDimension, OfAStripBetweenRollersIsABar) {
@@ -74,7 +74,7 @@ TEST(ToOneDimension, OfAStripBetweenRollersIsABar) {
 
   ASSERT_TRUE(reduction);
   EXPECT_THAT(reduction->what, HasSubstr("depends on y"));
-  const Scene bar = smaller(scene, *reduction);
+  const Scene bar = smaller(*reduction);
   EXPECT_EQ(bar.dimension, 1);
   ASSERT_EQ(bar.boundaries.size(), 2U);
   EXPECT_EQ(bar.boundaries[0].fixed, std::vector{0});
@@ -112,7 +112,7 @@ TEST(ToHalf, OfASheetKeepsTheSideOfItsProbes) {
   ASSERT_TRUE(right && upper);
   EXPECT_THAT(right->what, HasSubstr("x = 0.5 m"));
   EXPECT_THAT(upper->what, HasSubstr("y = 0.3 m"));
-  const Scene half = smaller(scene, *right);
+  const Scene half = smaller(*right);
   const auto& box = std::get<Box<2>>(std::get<Shape<2>>(half.body.shape).form);
   EXPECT_EQ(box.lower.x(), 0.5);
   EXPECT_EQ(box.upper.x(), 1.0);
@@ -124,8 +124,8 @@ TEST(ToHalf, OfASheetKeepsTheSideOfItsProbes) {
 
 TEST(ToHalf, TwiceIsAQuarterThatMovesAsTheWhole) {
   const Scene whole = read(pulled_sheet, {"output.frames=0"});
-  const Scene half = smaller(whole, *to_half(whole, 0));
-  const Scene quarter = smaller(half, *to_half(half, 1));
+  const Scene half = smaller(*to_half(whole, 0));
+  const Scene quarter = smaller(*to_half(half, 1));
   const auto energy = [](const Scene& scene) { return run(scene, {}).energy; };
 
   const EnergyLedger of_whole = energy(whole);
@@ -148,7 +148,7 @@ TEST(ToHalf, HolesComeInPairs) {
   const auto half = to_half(pair, 0);
 
   ASSERT_TRUE(half);
-  const Scene right = smaller(pair, *half);
+  const Scene right = smaller(*half);
   const auto& shape = std::get<Shape<2>>(right.body.shape);
   EXPECT_EQ(std::get<3>(shape.form)->holes.size(), 1U);
   EXPECT_FALSE(to_half(with_holes("[0.72,0.3]"), 0));
