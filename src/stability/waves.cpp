@@ -7,6 +7,7 @@
 
 #include "tlsph/dynamics/linearised.hpp"
 #include "tlsph/model/builder.hpp"
+#include "tlsph/stability/lattice.hpp"
 
 namespace tlsph {
 namespace {
