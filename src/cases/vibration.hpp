@@ -21,12 +21,6 @@ template <int D>
 template <int D>
 [[nodiscard]] std::vector<double> squared_frequencies(const Discretisation<D>& discretisation);
 
-/// The same matrix of a body without boundary: what the forces make of a push at the middle of a
-/// lattice, repeated on a torus of `nodes` nodes a direction. The body must be so large that its
-/// edges do not matter there.
-template <int D>
-[[nodiscard]] SparseMatrix torus_matrix(const Discretisation<D>& discretisation, int nodes);
-
 /// ω² [1/s²] that node `centre` of a bar sees of the wave cos k(X − X_centre), k [1/m]: −a at the
 /// crest of height one.
 [[nodiscard]] double squared_frequency(const Discretisation<1>& bar, Index centre, double k);

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "tlsph/analysis/spectrum.hpp"
 #include "tlsph/model/builder.hpp"
 #include "tlsph/operators/stabilisers.hpp"
+#include "tlsph/stability/lattice.hpp"
 #include "vibration.hpp"
 
 namespace tlsph {
@@ -30,12 +30,19 @@ double count_up_to(const std::vector<double>& squares, double limit) {
   return static_cast<double>(std::ranges::count_if(squares, [&](double w) { return w <= limit; }));
 }
 
+/// Modes without energy beside the translations of a body without boundary, periodic after `nodes`
+/// nodes a direction: what it answers to waves is that of the middle of `disc`.
 template <int D>
 double on_torus(const Discretisation<D>& disc, int nodes) {
+  const auto symbol = lattice_symbol<D>(disc, state_at_rest<D>(disc));
   std::vector<double> squares;
-  for (const auto& value : eigenvalues(torus_matrix<D>(disc, nodes)))
-    squares.push_back(value.real());
-  return count_up_to(squares, nothing * squares.front()) - D;
+  for (int wave = 0; wave < std::pow(nodes, D); ++wave) {
+    Vector<D> k;
+    for (int a = 0, number = wave; a < D; ++a, number /= nodes)
+      k[a] = 2 * std::numbers::pi * (number % nodes) / (nodes * disc.particles.spacings[a]);
+    for (const double square : squared_frequencies<D>(symbol, k)) squares.push_back(square);
+  }
+  return count_up_to(squares, nothing * std::ranges::max(squares)) - D;
 }
 
 /// A free body: without a stabiliser what should come out is shown only.

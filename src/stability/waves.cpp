@@ -5,6 +5,7 @@
 
 #include "tlsph/geometry/region.hpp"
 #include "tlsph/model/builder.hpp"
+#include "tlsph/stability/lattice.hpp"
 #include "tlsph/stepping/linearised_forces.hpp"
 
 namespace tlsph {
