@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Matrices over a lattice and its ghosts, and the edges these lie beyond. Not for other rooms.
+/// Matrices over a lattice and its ghosts, and the edges these lie beyond.
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
 /// One modified SPH matrix (2.46): values on boundary and ghost nodes such that ⟨f⟩ = W f takes
-/// prescribed values there. Not for other rooms.
+/// prescribed values there.
 
 #include <cstddef>
 #include <string>

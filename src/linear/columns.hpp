@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Systems with several right-hand sides, a column at a time. Not for other rooms.
+/// Systems with several right-hand sides, a column at a time.
 
 #include <cassert>
 

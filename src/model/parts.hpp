@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The parts `build` is made of; not for other rooms.
+/// The parts `build` is made of.
 
 #include "tlsph/formulations/extension.hpp"
 #include "tlsph/model/builder.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Moving least squares at one point. Not for other rooms.
+/// Moving least squares at one point.
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Gauss–Legendre rules on [0, 1]. Not for other rooms.
+/// Gauss–Legendre rules on [0, 1].
 
 #include <array>
 #include <cstddef>

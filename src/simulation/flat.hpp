@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A field as its numbers in a row. Not for other rooms.
+/// A field as its numbers in a row.
 
 #include <cstddef>
 #include <span>

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Errors of rooms that know no scene, told with their place in it. Not for other rooms.
+/// Errors of rooms that know no scene, told with their place in it.
 
 #include <algorithm>
 #include <new>

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The memory of this process as the system counts it. Not for other rooms.
+/// The memory of this process as the system counts it.
 
 #include <fstream>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What `plan` and `run` say and choose before the first step; not for other rooms.
+/// What `plan` and `run` say and choose before the first step.
 
 #include "tlsph/model/builder.hpp"
 #include "tlsph/simulation/summary.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
 /// A run of a scene, from the initial state or a checkpoint to the end: its steps, and what is
-/// written of them. Not for other rooms.
+/// written of them.
 
 #include <omp.h>
 

@@ -1,7 +1,6 @@
 #pragma once
 /// \file
-/// The files of a run: run.h5, run.xdmf, probes.csv, probes_exact.csv, checkpoint. Not for other
-/// rooms.
+/// The files of a run: run.h5, run.xdmf, probes.csv, probes_exact.csv, checkpoint.
 
 #include <filesystem>
 #include <map>

@@ -1,7 +1,6 @@
 #pragma once
 /// \file
-/// What a scene could do without, a line each with the number that shows it; empty where it needs
-/// all it has.
+/// Suggestions for a cheaper scene, one line each with the saving; empty if there is none.
 
 #include <string>
 

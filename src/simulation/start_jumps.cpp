@@ -9,7 +9,7 @@
 namespace tlsph::parts {
 namespace {
 
-/// Strain and velocity in c_p of which nobody is told.
+/// Strain, and velocity in c_p, too small for a warning.
 constexpr double negligible = 1e-6;
 
 /// The largest stress |A : G j| [Pa] of displacements j of the undeformed body; of the thesis's

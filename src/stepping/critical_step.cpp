@@ -72,8 +72,7 @@ double largest(Linearised<D>& linearised, double k, double c, double tolerance) 
 }
 
 /// Δt with λ_max(Δt² K + 2Δt C) = 4; the left side grows with an exponent between one and two. No
-/// longer than K or C alone allows: where a deformed material has lost its stiffness, and K drives,
-/// that is what is left.
+/// longer than K or C alone allows: if K is not positive, C alone limits the step.
 template <int D>
 double damped_step(Linearised<D>& linearised, double undamped, double tolerance) {
   double dt = std::min(undamped, 2.0 / largest(linearised, 0.0, 1.0, tolerance));

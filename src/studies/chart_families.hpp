@@ -25,6 +25,6 @@ struct ChartFamily {
 /// Formulation × kernel × support × order × stabiliser, those nearest to the defaults first. Some
 /// may not go with the scene; that is found when they are read or built.
 [[nodiscard]] std::vector<ChartFamily> chart_families(int dimension,
-                                                      const std::vector<std::string>& formulations);
+                                                      const std::vector<std::string>& wanted);
 
 }  // namespace tlsph

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
 /// Accelerations of nodes as one product of blocks with differences of places, and the moves they
-/// make once nobody needs the old places any more.
+/// make once no row needs the old places any more.
 /// Local to each source that includes it, as everything here is (loops_body.hpp).
 
 #include "nodes.hpp"

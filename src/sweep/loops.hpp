@@ -105,8 +105,8 @@ struct Loops {
   LawLoops laws[laws::Listed<D>::size];  ///< in the order of the list
   /// max ‖H − H₀‖² ‖F⁻¹‖² of `count` points, H₀ = `before`.
   double (*deformation)(const double* const* H, const float* const* before, Index count);
-  /// `count` rounds of independent fused multiply-adds on registers; their number, and a sum so
-  /// that nobody leaves them out.
+  /// `count` rounds of independent fused multiply-adds on registers. Returns their number; `sum`
+  /// keeps the compiler from removing the loop.
   Index (*multiply_adds)(Index count, double& sum);
   /// a −= r.
   void (*subtract)(Index size, const double* r, double* a);

@@ -8,7 +8,7 @@
 namespace tlsph::sweep {
 namespace {
 
-/// v += kick a, u += dt v of `count` ≤ lanes doubles; what stands in `a` beyond them is nobody's.
+/// v += kick a, u += dt v of `count` ≤ lanes doubles; what stands in `a` beyond them is not used.
 TLSPH_INLINE void move_part(Real a, Index count, const Motion& motion, Index at, Real& most) {
   double* v = motion.v + at;
   double* u = motion.u + at;

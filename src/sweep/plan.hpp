@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// In which order a thread passes over its share of the body.
+/// In which order a worker passes over its share of the body.
 
 #include <vector>
 
@@ -9,7 +9,7 @@
 
 namespace tlsph::sweep {
 
-/// What a thread does next. Ranges of rows, with the runs that make them up.
+/// What a worker does next. Ranges of rows, with the runs that make them up.
 struct Task {
   enum class Kind {
     points,       ///< H = G u and P of material points, into the window
@@ -26,9 +26,9 @@ struct Task {
   Index first = 0, last = 0;
   Index run = 0, runs = 0;       ///< in the list of runs of the operator the task applies
   Index patch = 0, patches = 0;  ///< rows: behind them in that list, runs that come second
-  /// nodes: in the lists of runs of those that nothing but forces of the body moves, and of others
+  /// nodes: runs in the lists `free`, nodes without load or constraint, and `special`, the others
   Index free = 0, frees = 0, special = 0, specials = 0;
-  Index item = 0, items = 0;  ///< points: law segments; nodes: booked nodes
+  Index item = 0, items = 0;  ///< points: law segments; nodes: those whose forces are gathered
   Index load = 0, loads = 0;  ///< nodes: loaded degrees of freedom
 };
 
@@ -51,7 +51,7 @@ struct WorkerPlan {
   std::vector<Task> before;  ///< of everything that reads nodes of other threads
   std::vector<Task> after;   ///< when all threads have done theirs
   std::vector<RowRun> gradient, divergence, rows;
-  std::vector<RowRun> free, special;  ///< of the divergence: booked or loaded nodes, and the rest
+  std::vector<RowRun> free, special;  ///< of the divergence: nodes without and with conditions
   std::vector<LawSegment> laws;
   std::vector<NodeLoad> loads;
   Index points_first = 0, points_window = 0, points_kept = 0, points_kept_count = 0;
@@ -61,7 +61,7 @@ struct WorkerPlan {
 /// Nodes and points of a block: their fields stay in the first-level cache.
 inline constexpr Index block_rows = 512;
 
-/// What the plan of a thread is made from.
+/// What the plan of a worker is made from.
 struct Dependences {
   std::vector<int> gradient_low, gradient_high;      ///< nodes a material point reads
   std::vector<int> divergence_low, divergence_high;  ///< points a node reads
@@ -78,9 +78,9 @@ struct Operators {
   const std::vector<RowRun>* patches = nullptr;  ///< runs that come after those, if there are any
 };
 
-/// The plan of the thread that owns nodes [first, last). `regions` gives the law of every material
-/// point; empty: all have the first. `booked` are nodes of interest, `loads` loaded degrees of
-/// freedom, both ascending.
+/// The plan of the worker that owns nodes [first, last). `regions` gives the law of every material
+/// point; empty: all have the first. `booked` are the nodes whose forces are gathered, `loads`
+/// loaded degrees of freedom, both ascending.
 [[nodiscard]] WorkerPlan make_plan(const Dependences& dependences, const Operators& operators,
                                    const std::vector<int>& regions,
                                    const std::vector<Index>& booked,

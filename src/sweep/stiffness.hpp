@@ -26,7 +26,7 @@ struct Stiffness {
   /// Ascending; together all nodes, each in one; `column` is `first`. They run on over the few
   /// nodes between two rows of a lattice.
   std::vector<RowRun> runs;
-  std::vector<RowRun> patches;  ///< whose rows those are in truth; ascending
+  std::vector<RowRun> patches;  ///< the foreign rows in `runs`, overwritten after them; ascending
   std::vector<int> stencil_start = {0};
   std::vector<int> offset;     ///< from the node; those with weights that mix components come first
   std::vector<int> mixed;      ///< entries of each stencil that do

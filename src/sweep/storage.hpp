@@ -32,7 +32,7 @@ class Storage {
   ScalarField inverse_mass;
   StorageReport report;
 
-  /// Who reads what.
+  /// Which rows read which nodes and points.
   [[nodiscard]] Dependences dependences() const;
 
  private:

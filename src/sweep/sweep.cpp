@@ -36,10 +36,10 @@ struct Sweep<D>::Parts {
   sweep::Storage<D> storage;
   using Workers = std::vector<std::unique_ptr<sweep::Worker<D>>>;
   sweep::SweepBody<D> shared;
-  Workers points;  // who goes by the points
+  Workers points;  // that go by the points
   std::optional<sweep::Stiffness<D>> stiffness;
   sweep::SweepBody<D> shared_stiffness;
-  Workers products;  // who makes steps of that stiffness, if there is one
+  Workers products;  // that multiply by that stiffness, if there is one
   std::vector<char> good;
   std::vector<double> curve_values;
 

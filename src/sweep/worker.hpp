@@ -1,7 +1,6 @@
 #pragma once
 /// \file
-/// A thread's part of a sweep: its plan, its windows, and the loop over its tasks. Not for other
-/// rooms.
+/// One worker's part of a sweep: its plan, its windows, and the loop over its tasks.
 
 #include <array>
 #include <vector>
@@ -14,7 +13,7 @@
 
 namespace tlsph::sweep {
 
-/// What all threads share, constant in time.
+/// What all workers share, constant in time.
 template <int D>
 struct SweepBody {
   const Discretisation<D>* disc = nullptr;
@@ -47,12 +46,12 @@ class Worker {
  public:
   Worker(const SweepBody<D>& shared, WorkerPlan plan);
 
-  /// Everything that reads nodes of other threads; false where a state has no stress.
+  /// Everything that reads nodes of other workers; false where a state has no stress.
   [[nodiscard]] bool before(const StepArguments<D>& step);
   /// The rest; nodes up to `reached` are at the new time when it fails.
   [[nodiscard]] bool after(const StepArguments<D>& step);
 
-  /// Points whose H and P this thread writes down when they are observed.
+  /// Points whose H and P this worker writes when they are observed.
   void observe_points(Index first, Index last) {
     observed_first_ = first;
     observed_last_ = last;

@@ -1,4 +1,4 @@
-/// What a thread does with the nodes of a block: forces, books and moves.
+/// What a worker does with the nodes of a block: forces, their records, moves.
 
 #include <algorithm>
 
@@ -90,7 +90,7 @@ double Worker<D>::power(const Task& task, const StepArguments<D>& step) const {
   return sum;
 }
 
-/// Loaded nodes, and those whose forces the books want or whose motion is given.
+/// Loaded nodes, and those whose forces are gathered or whose motion is given.
 template <int D>
 void Worker<D>::move_special(const Task& task, const StepArguments<D>& step, Motion motion) {
   const Runs special{plan_.special.data() + task.special, task.specials};
@@ -107,7 +107,7 @@ bool Worker<D>::constrained(Index booked, int component) const {
   return shared_.constrained[static_cast<std::size_t>(booked * D + component)] != 0;
 }
 
-/// What the books want of the nodes of a block, from whose start `a` holds accelerations; those of
+/// Gathers the forces of the nodes of a block, from whose start `a` holds accelerations; those of
 /// given motions become zero.
 template <int D>
 void Worker<D>::book(const Task& task, const StepArguments<D>& step, double* a) const {

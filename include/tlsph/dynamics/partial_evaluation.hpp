@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A state evaluated where somebody looks, and nowhere else.
+/// Evaluates H, P and f for a few nodes and points only, as probes need them.
 
 #include "tlsph/dynamics/state.hpp"
 

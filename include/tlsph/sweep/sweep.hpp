@@ -5,8 +5,8 @@
 /// `evaluate` and `advance` (dynamics/state.hpp) say what a step is, operator by operator; every
 /// one of their products writes a field that the next one reads, and that traffic is most of their
 /// time. A sweep does the same sums block by block: the gradient of a few hundred material points,
-/// their stress at once in its place, and the nodes behind them as soon as all their points are
-/// known and nobody needs their old displacement any more. H, P and the forces never leave the
+/// their stress at once in its place, and the nodes behind them once every
+/// point that reads or feeds them has been computed. H, P and the forces never leave the
 /// cache; a step reads and writes u and v, once.
 ///
 ///     points  H = G u, P = ∂Ψ/∂F            in a window that moves along the body
@@ -93,7 +93,7 @@ class Sweep {
   ~Sweep();
 
   /// One step to `next_time` = t_n + dt; u and v of the state change, H, P and f are left as they
-  /// are. Gathers what the books need on the way. Takes nothing from the heap. NumericalError as
+  /// are. Gathers the boundary forces on the way. Takes nothing from the heap. NumericalError as
   /// `evaluate`, with u and v of t_n restored to rounding.
   void step(State<D>& state, double dt, double next_time, BoundaryForces<D>& forces);
 
@@ -105,7 +105,7 @@ class Sweep {
   /// An empty record of the right size for `step`.
   [[nodiscard]] BoundaryForces<D> boundary_forces() const;
 
-  /// The operators as it reads them, for others in its room.
+  /// The operators as it reads them; for this room.
   [[nodiscard]] const sweep::Storage<D>& operators() const;
 
   /// How rows are stored, of all operators together; bytes of what a step reads beside u and v.
