@@ -2,8 +2,8 @@
 /// \file
 /// What the arithmetic of a law is written in. A law is a template of the number type R: `double`,
 /// a vector of doubles (the inner loops of a sweep bring theirs) or a dual number of either
-/// (dual.hpp). `Numbers<R>` is what such a type can do beside +, −, ×
-/// and comparisons with a double, as dual.hpp has them.
+/// (dual.hpp). `Numbers<R>` is what such a type can do beside +, −, ×, / and comparisons with a
+/// double, as dual.hpp has them.
 ///
 /// No Eigen and no fmt here nor in the laws: the inner loops are compiled once an instruction set,
 /// and an inline function that both they and the rest of the program instantiate would be linked
