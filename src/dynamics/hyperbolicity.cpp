@@ -21,7 +21,8 @@ template <int D, class Law>
 void look_at(const Region<D>& region, const Law& law, const State<D>& state,
              std::optional<UnstablePoint<D>>& worst) {
   const auto tangent_at = [&](Index k) {
-    return law.tangent(tensor_at<D>(state.H, point_at<D>(region, k)));
+    const Index s = point_at<D>(region, k);
+    return law.at(present(state, s)).tangent(tensor_at<D>(state.H, s));
   };
   const Index count =
       region.points.empty() ? state.H.rows() : static_cast<Index>(region.points.size());

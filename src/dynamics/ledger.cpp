@@ -29,7 +29,7 @@ struct Books {
   const BoundaryForces<D>* slots;
   double time;
   double kick;
-  bool linear;
+  bool small_strain;
 
   [[nodiscard]] Index slot(const std::vector<Index>& list, std::size_t k, Index dof) const {
     return slots == nullptr ? dof : list[k];
@@ -39,7 +39,7 @@ struct Books {
   [[nodiscard]] double arm(Index dof, Index slot) const requires(D == 2) {
     const bool along_y = (dof & 1) != 0;
     double x = disc.particles.X.data()[dof ^ 1];
-    if (!linear) x += u[slot ^ 1];
+    if (!small_strain) x += u[slot ^ 1];
     return along_y ? x : -x;
   }
 };
@@ -132,7 +132,7 @@ Vector<D> moment_if_needed(const Discretisation<D>& disc, const VectorField<D>& 
 template <int D>
 Vector<D> moment_of_mass(const Discretisation<D>& disc, const VectorField<D>& u) {
   Vector<D> sum = disc.particles.X.transpose() * disc.mass;
-  if (!disc.linear()) sum += u.transpose() * disc.mass;
+  if (!disc.small_strain()) sum += u.transpose() * disc.mass;
   return sum;
 }
 
@@ -165,8 +165,9 @@ BoundaryForces<D>::BoundaryForces(const Discretisation<D>& disc) {
 template <int D>
 void Ledger<D>::arrive(const Discretisation<D>& disc, const State<D>& state, double dt) {
   const double way = state.last_dt;
-  const Books<D> books{disc,    state.f.data(), state.u.data(),   state.v.data(), state.P.data(),
-                       nullptr, state.time,     0.5 * (way + dt), disc.linear()};
+  const Books<D> books{disc,           state.f.data(),   state.u.data(),
+                       state.v.data(), state.P.data(),   nullptr,
+                       state.time,     0.5 * (way + dt), disc.small_strain()};
   book_ways<D>(
       *this, books, {way, 0.0}, [&](Index, Index dof) { return state.v.data()[dof]; },
       [&](Index, Index dof) { return next_velocity<D>(disc, state, dt, dof); },
@@ -177,9 +178,15 @@ void Ledger<D>::arrive(const Discretisation<D>& disc, const State<D>& state, dou
 
 template <int D>
 void Ledger<D>::depart(const Discretisation<D>& disc, const State<D>& state, double dt) {
-  const Books<D> books{disc,           state.f.data(), state.u.data(), state.v.data(),
-                       state.P.data(), nullptr,        state.time,     0.5 * (state.last_dt + dt),
-                       disc.linear()};
+  const Books<D> books{disc,
+                       state.f.data(),
+                       state.u.data(),
+                       state.v.data(),
+                       state.P.data(),
+                       nullptr,
+                       state.time,
+                       0.5 * (state.last_dt + dt),
+                       disc.small_strain()};
   const auto next = [&](Index, Index dof) { return next_velocity<D>(disc, state, dt, dof); };
   book_ways<D>(*this, books, {0.0, dt}, next, next, moment_if_needed<D>(disc, state.u));
   if (disc.viscosity.nonZeros() > 0) {
@@ -193,8 +200,9 @@ void Ledger<D>::depart(const Discretisation<D>& disc, const State<D>& state, dou
 template <int D>
 void Ledger<D>::book(const Discretisation<D>& disc, const BoundaryForces<D>& forces,
                      const State<D>& after, double time, double way, double dt, bool arrived) {
-  const Books<D> books{disc, forces.f.data(),  forces.u.data(), forces.v.data(), nullptr, &forces,
-                       time, 0.5 * (way + dt), disc.linear()};
+  const Books<D> books{
+      disc, forces.f.data(),  forces.u.data(),    forces.v.data(), nullptr, &forces,
+      time, 0.5 * (way + dt), disc.small_strain()};
   const auto next = [&](Index, Index dof) { return after.v.data()[dof]; };
   const Ways ways{arrived ? 0.0 : way, dt};
   book_ways<D>(
@@ -204,14 +212,18 @@ void Ledger<D>::book(const Discretisation<D>& disc, const BoundaryForces<D>& for
       0.5 * (ways.before * forces.viscous_power + ways.after * forces.viscous_power_after);
 }
 
-template <int D>
-double elastic_energy(const Discretisation<D>& disc, const State<D>& state) {
-  double energy = 0.0;
+namespace {
+
+/// Σ V × density(law at the state's memory, point) over the material points.
+template <int D, class Density>
+double sum_over_points(const Discretisation<D>& disc, const State<D>& state,
+                       const Density& density) {
+  double sum = 0.0;
   for (const Region<D>& region : disc.regions)
     std::visit(
         [&](const auto& law) {
           const auto at = [&](Index s) {
-            energy += disc.points.V[s] * law.energy(tensor_at<D>(state.H, s));
+            sum += disc.points.V[s] * density(law.at(present(state, s)), s);
           };
           if (region.points.empty())
             for (Index s = 0; s < state.H.rows(); ++s) at(s);
@@ -219,12 +231,28 @@ double elastic_energy(const Discretisation<D>& disc, const State<D>& state) {
             for (const int s : region.points) at(s);
         },
         region.law);
-  return energy + stabiliser_energy<D>(disc, state.u);
+  return sum;
+}
+
+}  // namespace
+
+template <int D>
+double elastic_energy(const Discretisation<D>& disc, const State<D>& state) {
+  return sum_over_points(
+             disc, state,
+             [&](const auto& law, Index s) { return law.energy(tensor_at<D>(state.H, s)); }) +
+         stabiliser_energy<D>(disc, state.u);
+}
+
+template <int D>
+double dissipated_energy(const Discretisation<D>& disc, const State<D>& state) {
+  if (state.memory.size() == 0) return 0.0;
+  return sum_over_points(disc, state, [](const auto& law, Index) { return law.dissipated(); });
 }
 
 template <int D>
 Balance<D> balance(const Discretisation<D>& disc, const State<D>& state, double dt) {
-  const bool linear = disc.linear();
+  const bool small = disc.small_strain();
   Balance<D> result;
   for (Index q = 0; q < disc.nodes(); ++q) {
     const double m = disc.mass[q];
@@ -239,7 +267,7 @@ Balance<D> balance(const Discretisation<D>& disc, const State<D>& state, double 
     }
     const Vector<D> p = m * now;
     Vector<D> x = disc.particles.X.row(q).transpose();
-    if (!linear) x += state.u.row(q).transpose();
+    if (!small) x += state.u.row(q).transpose();
     result.linear_momentum += p;
     result.angular_momentum += cross<D>(x, p);
     result.momentum_scale += p.norm();
@@ -247,6 +275,7 @@ Balance<D> balance(const Discretisation<D>& disc, const State<D>& state, double 
     if (disc.has_body_force()) result.gravity += m * disc.body_force.dot(state.u.row(q));
   }
   result.elastic = elastic_energy(disc, state);
+  result.dissipated = dissipated_energy(disc, state);
   return result;
 }
 
@@ -255,6 +284,7 @@ Balance<D> balance(const Discretisation<D>& disc, const State<D>& state, double 
   template struct BoundaryForces<D>;                                                     \
   template Vector<D> moment_of_mass<D>(const Discretisation<D>&, const VectorField<D>&); \
   template double elastic_energy<D>(const Discretisation<D>&, const State<D>&);          \
+  template double dissipated_energy<D>(const Discretisation<D>&, const State<D>&);       \
   template Balance<D> balance<D>(const Discretisation<D>&, const State<D>&, double);
 TLSPH_INSTANTIATE(1)
 TLSPH_INSTANTIATE(2)

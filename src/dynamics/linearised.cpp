@@ -62,7 +62,8 @@ void LinearisedForces<D>::product(const VectorField<D>& x, VectorField<D>& force
     std::visit(
         [&](const auto& law) {
           const auto at = [&](Index s) {
-            const Tensor<D> dP = law.dpk1(tensor_at<D>(state_.H, s), tensor_at<D>(H_, s));
+            const Tensor<D> dP =
+                law.at(present(state_, s)).dpk1(tensor_at<D>(state_.H, s), tensor_at<D>(H_, s));
             Eigen::Map<Tensor<D>>(H_.data() + s * D * D) = dP;
           };
           if (region.points.empty())

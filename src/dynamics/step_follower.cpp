@@ -71,6 +71,7 @@ StepFollower<D>::StepFollower(const Discretisation<D>& disc, const State<D>& sta
       watch_(std::make_unique<sweep::StrainWatch<D>>(disc)),
       H_estimate_(watch_->strains(state)),
       H_check_(H_estimate_),
+      memory_estimate_(state.memory),
       row_sum_(disc.ghosts ? 0.0 : largest_row_sum<D>(disc.gradient)),
       last_look_(state.step),
       next_look_(state.step + 1),
@@ -137,7 +138,7 @@ template <int D>
 double StepFollower<D>::bound(const State<D>& state) const {
   const double gamma = gamma_ > 0.0 ? gamma_ : unit_stiffness();
   return std::min(critical_.dt, first_) *
-         share_of_estimate(gamma * watch_->stiffening(state, H_estimate_));
+         share_of_estimate(gamma * watch_->stiffening(state, H_estimate_, memory_estimate_));
 }
 
 template <int D>
@@ -160,6 +161,7 @@ void StepFollower<D>::estimate(State<D>& state) {
   if (critical) critical_ = *critical;
   if (!critical || !(critical_.dt < first_)) critical_.dt = first_;
   watch_->store(state, H_estimate_);
+  memory_estimate_ = state.memory;
   limit_ = critical_.dt;
 }
 
@@ -167,7 +169,7 @@ template <int D>
 void StepFollower<D>::check(State<D>& state) {
   ++bounds_;
   if (gamma_ == 0.0) gamma_ = unit_stiffness();  // a body that hardly deforms never asks
-  const auto change = watch_->change(state, H_estimate_, H_check_);
+  const auto change = watch_->change(state, H_estimate_, memory_estimate_, H_check_);
   limit_ = std::min(critical_.dt, first_) * share_of_estimate(gamma_ * change.stiffening);
   change_ = 0.0;
   if (steady_ <= kept_ * limit_) return;

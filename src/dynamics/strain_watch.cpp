@@ -11,24 +11,6 @@
 namespace tlsph::sweep {
 namespace {
 
-/// max λ_max(A(H) − A(H₀)) of points of a law without loops, by Gershgorin's discs.
-template <int D, class Directions, class Stored>
-double stiffening_of(const AnyLaw<D>& law, Index count, const Directions& H, const Stored& before) {
-  const auto tangent_at = [&](const auto& field, Index s) {
-    Tensor<D> strain;
-    for (int i = 0; i < D; ++i)
-      for (int a = 0; a < D; ++a) strain(i, a) = field[static_cast<std::size_t>(a)][s * D + i];
-    return tangent<D>(law, strain);
-  };
-  double end = 0.0;
-  for (Index s = 0; s < count; ++s) {
-    const Tangent<D> A = tangent_at(H, s) - tangent_at(before, s);
-    for (int i = 0; i < D * D; ++i)
-      end = std::max(end, A(i, i) + A.row(i).cwiseAbs().sum() - std::abs(A(i, i)));
-  }
-  return end;
-}
-
 /// H of the stretch, U − 1 with F = R U, in the place of H: A(R U) has the eigenvalues of A(U), so
 /// a body that turns has not deformed.
 template <int D>
@@ -169,21 +151,25 @@ double StrainWatch<D>::deformation(const State<D>& state, const StrainField& bef
 }
 
 template <int D>
-double StrainWatch<D>::stiffening(const State<D>& state, const StrainField& before) {
+double StrainWatch<D>::stiffening(const State<D>& state, const StrainField& before,
+                                  const MemoryField& memory_before) {
+  const Memories memories{state.memory, memory_before};
   return largest(state,
                  [&](Index first, Index count, const Directions& H) {
-                   return Change{stiffening_of_block(first, count, H, at(before, first)), 0.0};
+                   return Change{stiffening_of_block(first, count, H, at(before, first), memories),
+                                 0.0};
                  })
       .stiffening;
 }
 
 template <int D>
-auto StrainWatch<D>::change(const State<D>& state, const StrainField& before, StrainField& to)
-    -> Change {
+auto StrainWatch<D>::change(const State<D>& state, const StrainField& before,
+                            const MemoryField& memory_before, StrainField& to) -> Change {
+  const Memories memories{state.memory, memory_before};
   Change most = largest(state, [&](Index first, Index count, const Directions& H) {
     const Stored then = at(before, first);
     copy(first, count, H, to);
-    return Change{stiffening_of_block(first, count, H, then),
+    return Change{stiffening_of_block(first, count, H, then, memories),
                   kernels_.deformation(H.data(), then.data(), count)};
   });
   most.deformation = std::sqrt(most.deformation);
@@ -192,8 +178,8 @@ auto StrainWatch<D>::change(const State<D>& state, const StrainField& before, St
 
 template <int D>
 double StrainWatch<D>::stiffening_of_block(Index first, Index count, const Directions& H,
-                                           const Stored& before) const {
-  if (region_.empty()) return stiffening_of_region(0, count, H, before);
+                                           const Stored& before, const Memories& memories) const {
+  if (region_.empty()) return stiffening_of_region(0, first, count, H, before, memories);
   double most = 0.0;
   for (Index s = 0; s < count;) {
     const int region = region_[static_cast<std::size_t>(first + s)];
@@ -205,18 +191,40 @@ double StrainWatch<D>::stiffening_of_block(Index first, Index count, const Direc
       some[a] += s * D;
       some_before[a] += s * D;
     }
-    most = std::max(most, stiffening_of_region(region, end - s, some, some_before));
+    most = std::max(most,
+                    stiffening_of_region(region, first + s, end - s, some, some_before, memories));
     s = end;
   }
   return most;
 }
 
 template <int D>
-double StrainWatch<D>::stiffening_of_region(Index region, Index count, const Directions& H,
-                                            const Stored& before) const {
+double StrainWatch<D>::stiffening_of_region(Index region, Index first, Index count,
+                                            const Directions& H, const Stored& before,
+                                            const Memories& memories) const {
   const RegionLaw<D>& law = laws_[static_cast<std::size_t>(region)];
-  if (law.loops == nullptr) return stiffening_of<D>(law.law, count, H, before);
+  if (law.loops == nullptr) return stiffening_of(law.law, first, count, H, before, memories);
   return law.loops->stiffening(law.text(), H.data(), before.data(), count);
+}
+
+/// By Gershgorin's discs.
+template <int D>
+double StrainWatch<D>::stiffening_of(const AnyLaw<D>& law, Index first, Index count,
+                                     const Directions& H, const Stored& before,
+                                     const Memories& memories) {
+  const auto tangent_at = [&](const auto& field, const MemoryField& memory, Index s) {
+    Tensor<D> strain;
+    for (int i = 0; i < D; ++i)
+      for (int a = 0; a < D; ++a) strain(i, a) = field[static_cast<std::size_t>(a)][s * D + i];
+    return tangent<D>(law, strain, {memory.data() + (first + s) * memory.cols(), 0.0});
+  };
+  double end = 0.0;
+  for (Index s = 0; s < count; ++s) {
+    const Tangent<D> A = tangent_at(H, memories.now, s) - tangent_at(before, memories.before, s);
+    for (int i = 0; i < D * D; ++i)
+      end = std::max(end, A(i, i) + A.row(i).cwiseAbs().sum() - std::abs(A(i, i)));
+  }
+  return end;
 }
 
 template class StrainWatch<1>;

@@ -35,15 +35,17 @@ class StrainWatch {
   void store(const State<D>& state, StrainField& to);
   /// max ‖U − U₀‖ ‖U⁻¹‖, the largest relative deformation of a point between two states.
   [[nodiscard]] double deformation(const State<D>& state, const StrainField& before);
-  /// max λ_max(A(U) − A(U₀)), at most that and at least zero [Pa].
-  [[nodiscard]] double stiffening(const State<D>& state, const StrainField& before);
+  /// max λ_max(A(U) − A(U₀)), at most that and at least zero [Pa]; A each at its own memory.
+  [[nodiscard]] double stiffening(const State<D>& state, const StrainField& before,
+                                  const MemoryField& memory_before);
 
   struct Change {
     double stiffening = 0.0;   ///< as above
     double deformation = 0.0;  ///< as above
   };
   /// Both at once, the strains stored in `to` on the way.
-  [[nodiscard]] Change change(const State<D>& state, const StrainField& before, StrainField& to);
+  [[nodiscard]] Change change(const State<D>& state, const StrainField& before,
+                              const MemoryField& memory_before, StrainField& to);
 
  private:
   static constexpr std::size_t most_directions = D + 1;
@@ -55,15 +57,24 @@ class StrainWatch {
   };
   using Directions = std::array<const double*, static_cast<std::size_t>(D)>;
   using Stored = std::array<const float*, static_cast<std::size_t>(D)>;
+  struct Memories {
+    const MemoryField& now;
+    const MemoryField& before;
+  };
 
   /// The largest of each number of visit(first, count, H) over the blocks, at least zero.
   template <class Visit>
   Change largest(const State<D>& state, const Visit& visit);
   void read(Index block, const State<D>& state, double* const* H) const;
   [[nodiscard]] double stiffening_of_block(Index first, Index count, const Directions& H,
-                                           const Stored& before) const;
-  [[nodiscard]] double stiffening_of_region(Index region, Index count, const Directions& H,
-                                            const Stored& before) const;
+                                           const Stored& before, const Memories& memories) const;
+  [[nodiscard]] double stiffening_of_region(Index region, Index first, Index count,
+                                            const Directions& H, const Stored& before,
+                                            const Memories& memories) const;
+  /// The same of a law without loops.
+  [[nodiscard]] static double stiffening_of(const AnyLaw<D>& law, Index first, Index count,
+                                            const Directions& H, const Stored& before,
+                                            const Memories& memories);
   void copy(Index first, Index count, const Directions& H, StrainField& to) const;
   [[nodiscard]] Stored at(const StrainField& field, Index point) const;
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
-#include <type_traits>
-#include <variant>
 
 #include "parts.hpp"
 #include "tlsph/materials/uniaxial.hpp"
@@ -16,18 +14,8 @@ namespace {
 constexpr std::array<std::array<std::string_view, 2>, 2> edge_names = {
     {{"left", "right"}, {"bottom", "top"}}};
 
-Curve negated(Curve curve) {
-  std::visit(
-      [](auto& form) {
-        if constexpr (std::is_same_v<std::decay_t<decltype(form)>, TableCurve>) {
-          for (double& v : form.value) v = -v;
-          for (double& v : form.curvature) v = -v;
-        } else {
-          form.amplitude = -form.amplitude;
-        }
-      },
-      curve);
-  return curve;
+Curve negated(const Curve& curve) {
+  return GivenCurve{[curve](double t) { return -value(curve, t); }};
 }
 
 /// The strain of the load must exist at all times; a coarse walk along the curve finds out before

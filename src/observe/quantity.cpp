@@ -53,7 +53,8 @@ Observed<D> observed_point(const Discretisation<D>& disc, const State<D>& state,
   Observed<D> seen;
   seen.H = tensor_at<D>(state.H, point);
   seen.P = tensor_at<D>(state.P, point);
-  seen.stress = stress_measures<D>(disc.regions[region_of<D>(disc, point)], seen.H, seen.P);
+  seen.stress = stress_measures<D>(disc.regions[region_of<D>(disc, point)], seen.H, seen.P,
+                                   present(state, point));
   return seen;
 }
 

@@ -66,7 +66,8 @@ bool RunLoop<D>::alarmed() const {
 template <int D>
 double RunLoop<D>::deviation(const Balance<D>& now) const {
   const double work = ledger_.external_work + now.gravity;
-  return std::abs(now.kinetic + now.elastic - first_energy_ - work + ledger_.dissipated);
+  return std::abs(now.kinetic + now.elastic - first_energy_ - work + ledger_.dissipated +
+                  now.dissipated);
 }
 
 template <int D>
@@ -96,7 +97,8 @@ void RunLoop<D>::sample_books() {
     momentum_drift_ = std::max(momentum_drift_, (momentum - first_momentum_).norm());
     angular_drift_ = std::max(angular_drift_, std::abs(angular - first_angular_));
     if (output_) {
-      std::array<double, 6 + D> row{now.kinetic, now.elastic, work, ledger_.dissipated};
+      std::array<double, 6 + D> row{now.kinetic, now.elastic, work,
+                                    ledger_.dissipated + now.dissipated};
       for (std::size_t i = 0; i < D; ++i) row[4 + i] = now.linear_momentum[static_cast<Index>(i)];
       row[4 + D] = now.angular_momentum;
       row[5 + D] = clock_.dt;
@@ -119,13 +121,14 @@ void RunLoop<D>::sample_books() {
 template <int D>
 void RunLoop<D>::watch_growth(const Balance<D>& now) {
   const double work = ledger_.external_work + now.gravity;
-  energy_scale_ = std::max(
-      {energy_scale_, std::abs(first_energy_ + work - ledger_.dissipated), std::abs(work)});
+  energy_scale_ =
+      std::max({energy_scale_, std::abs(first_energy_ + work - ledger_.dissipated - now.dissipated),
+                std::abs(work)});
   const double energy = now.kinetic + now.ripple + now.elastic;
   if (!(energy > out_of_bounds * energy_scale_)) {
     growing_ = 0;
     if (energy <= within_bounds * energy_scale_ || state_.step == 0)
-      balanced_ = {state_.step, state_.time, state_.last_dt, state_.u, state_.v};
+      balanced_ = {state_.step, state_.time, state_.last_dt, state_.u, state_.v, state_.past};
     return;
   }
   if (growing_ == 0)
@@ -177,6 +180,7 @@ void RunLoop<D>::keep_last_good_state() {
       state_.last_dt = balanced_.last_dt;
       state_.u = balanced_.u;
       state_.v = balanced_.v;
+      state_.past = balanced_.past;
       evaluate<D>(disc_, state_);
     }
     if (!output_->has_frame(state_.time, 0.5 * state_.last_dt))
@@ -198,7 +202,8 @@ void RunLoop<D>::finish(Summary& summary) {
   summary.steps = state_.step;
   summary.end_time = state_.time;
   summary.energy = {now.kinetic, now.elastic, ledger_.external_work + now.gravity,
-                    ledger_.dissipated, largest_energy_ > 0.0 ? drift_ / largest_energy_ : 0.0};
+                    ledger_.dissipated + now.dissipated,
+                    largest_energy_ > 0.0 ? drift_ / largest_energy_ : 0.0};
   summary.linear_momentum_drift = momentum_scale_ > 0.0 ? momentum_drift_ / momentum_scale_ : 0.0;
   summary.angular_momentum_drift = angular_scale_ > 0.0 ? angular_drift_ / angular_scale_ : 0.0;
 }

@@ -137,6 +137,7 @@ template <class Visit>
 void RunLoop<D>::visit(const Visit& visit) {
   visit("u", state_.u);
   visit("v", state_.v);
+  if (state_.past.size() > 0) visit("past", state_.past);
   visit("step", state_.step);
   visit("time", state_.time);
   visit("last_dt", state_.last_dt);

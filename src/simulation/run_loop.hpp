@@ -23,6 +23,7 @@ struct Snapshot {
   long step = 0;
   double time = 0.0, last_dt = 0.0;
   VectorField<D> u, v;
+  MemoryField past;
 };
 
 template <int D>

@@ -82,7 +82,7 @@ class StepFollower {
   [[nodiscard]] long estimates() const { return estimates_; }
 
   /// Calls `visit(name, value)` for all that a checkpoint needs to go on bit for bit; values are
-  /// double, long, bool, std::optional<double> and std::vector<float>.
+  /// double, long, bool, std::optional<double>, std::vector<float> and MemoryField.
   template <class Visit>
   void visit(const Visit& visit) {
     visit("gamma", gamma_);
@@ -105,6 +105,7 @@ class StepFollower {
     visit("estimates", estimates_);
     visit("estimated_at", H_estimate_);
     visit("checked_at", H_check_);
+    if (memory_estimate_.size() > 0) visit("estimated_memory", memory_estimate_);
   }
 
  private:
@@ -129,6 +130,7 @@ class StepFollower {
   double steady_;  ///< the step where nothing is in a hurry; it only falls [s]
   std::unique_ptr<sweep::StrainWatch<D>> watch_;
   std::vector<float> H_estimate_, H_check_;  ///< by direction
+  MemoryField memory_estimate_;
   bool path_known_ = false;
   double path_ = 0.0;                            ///< since the last look, at most [m]
   double last_path_ = 0.0, path_at_look_ = 0.0;  ///< of one step [m]

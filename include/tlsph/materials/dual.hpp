@@ -96,6 +96,11 @@ struct Numbers<Dual<R, N>> {
   [[gnu::always_inline]] static R magnitude(const Dual<R, N>& a) {
     return Numbers<R>::magnitude(a.value);
   }
+  [[gnu::always_inline]] static Dual<R, N> root(const Dual<R, N>& a) {
+    const R root = Numbers<R>::root(a.value);
+    const R slope = 0.5 / root;
+    return dual<N>(root, [&](int n) { return slope * a.change[n]; });
+  }
   [[gnu::always_inline]] static Dual<R, N> log_and_inverse(const Dual<R, N>& e, Dual<R, N>& inverse,
                                                            Mask& good) {
     R one_over;

@@ -63,6 +63,7 @@ struct Numbers<double> {
   static double all(double value) { return value; }
   static bool everywhere(bool mask) { return mask; }
   static double magnitude(double value) { return std::abs(value); }
+  static double root(double value) { return std::sqrt(value); }
   /// ln J and 1/J from e = J − 1; `good` is lost where J ≤ 0 or is not finite.
   static double log_and_inverse(double e, double& inverse, bool& good) {
     const double J = 1 + e;
