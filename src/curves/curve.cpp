@@ -172,6 +172,20 @@ double integral_of(const TableCurve& curve, double t) {
   return curve.time.empty() ? 0.0 : area_until(curve, t) - area_until(curve, 0.0);
 }
 
+// --- given --------------------------------------------------------------------------------------
+
+double value_of(const GivenCurve& curve, double t) {
+  return curve.value(t);
+}
+double rate_of(const GivenCurve& curve, double t) {
+  return curve.rate(t);
+}
+double integral_of(const GivenCurve& curve, double t) {
+  return curve.integral(t);
+}
+
+// --- splines ------------------------------------------------------------------------------------
+
 /// Curvatures of a natural spline through the entries [first, last]: elimination of
 ///   Δ₋ y″₋ + 2 (Δ₋ + Δ₊) y″ + Δ₊ y″₊ = 6 (slope₊ − slope₋),  zero at both ends.
 void fit_spline(TableCurve& curve, std::size_t first, std::size_t last) {

@@ -29,7 +29,7 @@ class Adder {
         before_(before),
         after_(after),
         next_(next),
-        linear_(disc.linear()) {}
+        small_strain_(disc.small_strain()) {}
 
   /// `kick`: the time that takes v_{n−½} to v_{n+½}.
   void add_to(WorkAndImpulse<D>& sum, double kick) {
@@ -84,7 +84,7 @@ class Adder {
   [[nodiscard]] double arm(Index dof, Index slot) const requires(D == 2) {
     const bool along_y = (dof & 1) != 0;
     double x = disc_.particles.X.data()[dof ^ 1];
-    if (!linear_) x += forces_.u.data()[slot ^ 1];
+    if (!small_strain_) x += forces_.u.data()[slot ^ 1];
     return along_y ? x : -x;
   }
 
@@ -92,7 +92,7 @@ class Adder {
   const BoundaryForces<D>& forces_;
   double before_, after_;
   const Next& next_;
-  bool linear_;
+  bool small_strain_;
   double work_ = 0.0, angular_ = 0.0;
   double impulse_[D] = {};
 };
@@ -102,7 +102,7 @@ class Adder {
 template <int D>
 Vector<D> moment_of_mass(const Discretisation<D>& disc, const VectorField<D>& u) {
   Vector<D> sum = disc.particles.X.transpose() * disc.mass;
-  if (!disc.linear()) sum += u.transpose() * disc.mass;
+  if (!disc.small_strain()) sum += u.transpose() * disc.mass;
   return sum;
 }
 
@@ -184,26 +184,46 @@ void WorkAndImpulse<D>::add_step(const Discretisation<D>& disc, const BoundaryFo
   dissipated += 0.5 * (before * forces.viscous_power + steps.after * forces.viscous_power_after);
 }
 
-template <int D>
-double elastic_energy(const Discretisation<D>& disc, const State<D>& state) {
-  double energy = 0.0;
+namespace {
+
+/// Σ V × density(law at the state's memory, point) over the material points.
+template <int D, class Density>
+double sum_over_points(const Discretisation<D>& disc, const State<D>& state,
+                       const Density& density) {
+  double sum = 0.0;
   for (const Region<D>& region : disc.regions)
     std::visit(
         [&](const auto& law) {
           for (Index k = 0; k < region.size(state.H.rows()); ++k) {
             const Index s = region.point(k);
-            energy += disc.points.V[s] * law.energy(tensor_at<D>(state.H, s));
+            sum += disc.points.V[s] * density(law.at(present(state, s)), s);
           }
         },
         region.law);
-  return energy + stabiliser_energy<D>(disc, state.u);
+  return sum;
+}
+
+}  // namespace
+
+template <int D>
+double elastic_energy(const Discretisation<D>& disc, const State<D>& state) {
+  return sum_over_points(
+             disc, state,
+             [&](const auto& law, Index s) { return law.energy(tensor_at<D>(state.H, s)); }) +
+         stabiliser_energy<D>(disc, state.u);
+}
+
+template <int D>
+double dissipated_energy(const Discretisation<D>& disc, const State<D>& state) {
+  if (state.memory.size() == 0) return 0.0;
+  return sum_over_points(disc, state, [](const auto& law, Index) { return law.dissipated(); });
 }
 
 template <int D>
 Balance<D> balance(const Instant<D>& now) {
   const Discretisation<D>& disc = now.body;
   const State<D>& state = now.state;
-  const bool linear = disc.linear();
+  const bool small = disc.small_strain();
   Balance<D> result;
   for (Index q = 0; q < disc.nodes(); ++q) {
     const double m = disc.mass[q];
@@ -218,14 +238,15 @@ Balance<D> balance(const Instant<D>& now) {
     }
     const Vector<D> p = m * velocity;
     Vector<D> x = disc.particles.X.row(q).transpose();
-    if (!linear) x += state.u.row(q).transpose();
-    result.linear_momentum += p;
+    if (!small) x += state.u.row(q).transpose();
+    result.small_strain_momentum += p;
     result.angular_momentum += cross<D>(x, p);
     result.momentum_scale += p.norm();
     result.angular_scale += x.norm() * p.norm();
     if (disc.has_body_force()) result.gravity += m * disc.body_force.dot(state.u.row(q));
   }
   result.elastic = elastic_energy(disc, state);
+  result.dissipated = dissipated_energy(disc, state);
   return result;
 }
 
@@ -234,6 +255,7 @@ Balance<D> balance(const Instant<D>& now) {
   template struct BoundaryForces<D>;                                                     \
   template Vector<D> moment_of_mass<D>(const Discretisation<D>&, const VectorField<D>&); \
   template double elastic_energy<D>(const Discretisation<D>&, const State<D>&);          \
+  template double dissipated_energy<D>(const Discretisation<D>&, const State<D>&);       \
   template Balance<D> balance<D>(const Instant<D>&);
 TLSPH_INSTANTIATE(1)
 TLSPH_INSTANTIATE(2)

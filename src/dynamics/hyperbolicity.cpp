@@ -18,7 +18,8 @@ template <int D, class Law>
 void look_at(const Region<D>& region, const Law& law, const State<D>& state,
              std::optional<UnstablePoint<D>>& worst) {
   const auto tangent_at = [&](Index k) {
-    return law.tangent(tensor_at<D>(state.H, region.point(k)));
+    const Index s = region.point(k);
+    return law.at(present(state, s)).tangent(tensor_at<D>(state.H, s));
   };
   const Index count = region.size(state.H.rows());
   const double unstable =

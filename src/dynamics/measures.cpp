@@ -7,9 +7,10 @@
 namespace tlsph {
 
 template <int D>
-StressMeasures<D> stress_measures(const Region<D>& region, const Tensor<D>& H, const Tensor<D>& P) {
-  const Tensor<D> sigma = cauchy<D>(region.law, H, P);
-  const double transverse = transverse_stress<D>(region.law, H);
+StressMeasures<D> stress_measures(const Region<D>& region, const Tensor<D>& H, const Tensor<D>& P,
+                                  const Past& past) {
+  const Tensor<D> sigma = cauchy<D>(region.law, H, P, past);
+  const double transverse = transverse_stress<D>(region.law, H, past);
   return {sigma, pressure<D>(sigma, transverse), von_mises<D>(sigma, transverse)};
 }
 
@@ -22,8 +23,10 @@ std::size_t region_of(const Discretisation<D>& disc, Index point) {
   return 0;
 }
 
-template StressMeasures<1> stress_measures<1>(const Region<1>&, const Tensor<1>&, const Tensor<1>&);
-template StressMeasures<2> stress_measures<2>(const Region<2>&, const Tensor<2>&, const Tensor<2>&);
+template StressMeasures<1> stress_measures<1>(const Region<1>&, const Tensor<1>&, const Tensor<1>&,
+                                              const Past&);
+template StressMeasures<2> stress_measures<2>(const Region<2>&, const Tensor<2>&, const Tensor<2>&,
+                                              const Past&);
 template std::size_t region_of<1>(const Discretisation<1>&, Index);
 template std::size_t region_of<2>(const Discretisation<2>&, Index);
 

@@ -36,19 +36,22 @@ void add_terms(const std::vector<SignalTerm>& terms, const std::vector<double>& 
   for (const SignalTerm& term : terms) field[term.slot] += term.weight * values[term.signal];
 }
 
-/// P = ∂Ψ/∂F over a region; the sum of all P_11 turns NaN or infinite as soon as one of them does.
-/// A polynomial law stays finite beyond its range, so points there add NaN.
+/// P = ∂Ψ/∂F over a region, and the memory there; the sum of all P_11 turns NaN or infinite as soon
+/// as one of them does. A polynomial law stays finite beyond its range, so points there add NaN.
 template <int D>
-double apply_law(const Region<D>& region, const TensorField<D>& H, TensorField<D>& P) {
+double apply_law(const Region<D>& region, State<D>& state) {
+  const Index remembered = state.past.cols();
+  const double dt = state.step == 0 ? 0.0 : state.last_dt;
   return std::visit(
       [&](const auto& law) {
         const auto at = [&](Index s) {
-          const Tensor<D> stress = law.pk1(tensor_at<D>(H, s));
-          Eigen::Map<Tensor<D>>(P.data() + s * D * D) = stress;
-          return law.margin(tensor_at<D>(H, s)) > 0.0 ? stress(0, 0)
-                                                      : std::numeric_limits<double>::quiet_NaN();
+          const Tensor<D> H = tensor_at<D>(state.H, s);
+          const Tensor<D> stress = law.at({state.past.data() + s * remembered, dt})
+                                       .pk1(H, state.memory.data() + s * remembered);
+          Eigen::Map<Tensor<D>>(state.P.data() + s * D * D) = stress;
+          return law.margin(H) > 0.0 ? stress(0, 0) : std::numeric_limits<double>::quiet_NaN();
         };
-        return sum_rows(region.size(H.rows()), [&](Index k) { return at(region.point(k)); });
+        return sum_rows(region.size(state.H.rows()), [&](Index k) { return at(region.point(k)); });
       },
       region.law);
 }
@@ -64,7 +67,7 @@ double stresses(const Discretisation<D>& disc, State<D>& state) {
   add_terms(disc.gradient_terms, state.signals, state.H.data());
 
   double finite = 0.0;
-  for (const Region<D>& region : disc.regions) finite += apply_law(region, state.H, state.P);
+  for (const Region<D>& region : disc.regions) finite += apply_law(region, state);
   for (const SignalTerm& term : disc.stress_values)
     state.P.data()[term.slot] =
         term.signal == no_signal ? 0.0 : term.weight * state.signals[term.signal];
@@ -167,6 +170,7 @@ State<D> make_state(const Discretisation<D>& disc, VectorField<D> u, VectorField
   const Index M = disc.points.size();
   state.H = TensorField<D>::Zero(M, D * D);
   state.P = TensorField<D>::Zero(M, D * D);
+  state.past = state.memory = MemoryField::Zero(M, disc.memory());
   state.f = VectorField<D>::Zero(disc.nodes(), D);
   if (disc.viscosity.nonZeros() > 0) state.viscous = VectorField<D>::Zero(disc.nodes(), D);
   state.signals.assign(disc.signals.size(), 0.0);
@@ -228,6 +232,7 @@ void advance(const Discretisation<D>& disc, State<D>& state, double dt, double n
       u[k] += dt * v[k];
     }
   });
+  state.past.swap(state.memory);
   ++state.step;
   state.time = next_time;
   state.last_dt = dt;

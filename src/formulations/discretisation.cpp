@@ -6,9 +6,16 @@
 namespace tlsph {
 
 template <int D>
-bool Discretisation<D>::linear() const {
-  return std::all_of(regions.begin(), regions.end(),
-                     [](const Region<D>& region) { return small_strain<D>(region.law); });
+bool Discretisation<D>::small_strain() const {
+  return std::ranges::all_of(
+      regions, [](const Region<D>& region) { return tlsph::small_strain<D>(region.law); });
+}
+
+template <int D>
+int Discretisation<D>::memory() const {
+  int most = 0;
+  for (const Region<D>& region : regions) most = std::max(most, tlsph::memory<D>(region.law));
+  return most;
 }
 
 template <int D>

@@ -21,10 +21,11 @@ template <int D>
 StressMeasures<D> measures_at(const Region<D>& region, const State<D>& state, const Tensor<D>& H,
                               const Tensor<D>& P, Index nearest) {
   if ((Tensor<D>::Identity() + H).determinant() > 0.0) {
-    const StressMeasures<D> stress = stress_measures<D>(region, H, P);
+    const StressMeasures<D> stress = stress_measures<D>(region, H, P, present(state, nearest));
     if (stress.cauchy.allFinite() && std::isfinite(stress.von_mises)) return stress;
   }
-  return stress_measures<D>(region, tensor_at<D>(state.H, nearest), tensor_at<D>(state.P, nearest));
+  return stress_measures<D>(region, tensor_at<D>(state.H, nearest), tensor_at<D>(state.P, nearest),
+                            present(state, nearest));
 }
 
 }  // namespace

@@ -52,7 +52,8 @@ Observed<D> observed_point(const Instant<D>& now, Index point) {
   Observed<D> seen;
   seen.H = tensor_at<D>(now.H(), point);
   seen.P = tensor_at<D>(now.P(), point);
-  seen.stress = stress_measures<D>(now.body.regions[region_of<D>(now.body, point)], seen.H, seen.P);
+  seen.stress = stress_measures<D>(now.body.regions[region_of<D>(now.body, point)], seen.H, seen.P,
+                                   present(now.state, point));
   return seen;
 }
 

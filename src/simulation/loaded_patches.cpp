@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
+#include <limits>
 #include <variant>
 
 #include "parts.hpp"
@@ -8,14 +8,16 @@
 namespace tlsph::parts {
 namespace {
 
-/// The amplitude of a curve, of a table the value farthest from zero.
+/// The amplitude of a curve, of a table the value farthest from zero; a scene gives no others.
 double peak(const Curve& curve) {
   return std::visit(
       [](const auto& form) {
-        if constexpr (std::is_same_v<std::decay_t<decltype(form)>, TableCurve>)
+        if constexpr (requires { form.amplitude; })
+          return form.amplitude;
+        else if constexpr (requires { form.curvature; })
           return *std::ranges::max_element(form.value, {}, [](double v) { return std::abs(v); });
         else
-          return form.amplitude;
+          return std::numeric_limits<double>::quiet_NaN();
       },
       curve);
 }

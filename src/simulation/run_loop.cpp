@@ -209,7 +209,7 @@ void RunLoop<D>::write_series() {
   const Balance<D>& now = stepper_->balance().last();
   const WorkAndImpulse<D>& work = stepper_->work();
   std::array<double, 6 + D> row{now.kinetic, now.elastic, work.external_work + now.gravity,
-                                work.dissipated};
+                                work.dissipated + now.dissipated};
   for (std::size_t i = 0; i < D; ++i) row[4 + i] = now.linear_momentum[static_cast<Index>(i)];
   row[4 + D] = now.angular_momentum;
   row[5 + D] = stepper_->dt();
@@ -250,8 +250,8 @@ void RunLoop<D>::finish(Summary& summary) {
   summary.hyperbolicity_lost = stepper_->hyperbolicity_lost();
   summary.steps = state().step;
   summary.end_time = state().time;
-  summary.energy = {now.kinetic, now.elastic, work.external_work + now.gravity, work.dissipated,
-                    monitor.energy_drift()};
+  summary.energy = {now.kinetic, now.elastic, work.external_work + now.gravity,
+                    work.dissipated + now.dissipated, monitor.energy_drift()};
   summary.linear_momentum_drift = monitor.linear_momentum_drift();
   summary.angular_momentum_drift = monitor.angular_momentum_drift();
 }

@@ -71,6 +71,7 @@ AdaptiveStep<D>::AdaptiveStep(const Discretisation<D>& disc, const State<D>& sta
       monitor_(std::make_unique<StrainMonitor<D>>(disc)),
       H_estimate_(monitor_->strains(state)),
       H_bound_(H_estimate_),
+      memory_estimate_(state.memory),
       row_sum_(disc.ghosts ? 0.0 : largest_row_sum<D>(disc.gradient)),
       last_check_(state.step),
       next_check_(state.step + 1),
@@ -137,7 +138,7 @@ template <int D>
 double AdaptiveStep<D>::bound(const State<D>& state) const {
   const double gamma = gamma_ > 0.0 ? gamma_ : unit_stiffness();
   return std::min(critical_.dt, initial_limit_) *
-         share_of_estimate(gamma * monitor_->stiffening(state, H_estimate_));
+         share_of_estimate(gamma * monitor_->stiffening(state, H_estimate_, memory_estimate_));
 }
 
 template <int D>
@@ -160,6 +161,7 @@ void AdaptiveStep<D>::estimate(State<D>& state) {
   if (critical) critical_ = *critical;
   if (!critical || !(critical_.dt < initial_limit_)) critical_.dt = initial_limit_;
   monitor_->store(state, H_estimate_);
+  memory_estimate_ = state.memory;
   limit_ = critical_.dt;
 }
 
@@ -167,7 +169,7 @@ template <int D>
 void AdaptiveStep<D>::take_bound(State<D>& state) {
   ++bounds_;
   if (gamma_ == 0.0) gamma_ = unit_stiffness();  // not needed by a body that hardly deforms
-  const auto change = monitor_->change(state, H_estimate_, H_bound_);
+  const auto change = monitor_->change(state, H_estimate_, memory_estimate_, H_bound_);
   limit_ = std::min(critical_.dt, initial_limit_) * share_of_estimate(gamma_ * change.stiffening);
   change_ = 0.0;
   if (steady_ <= kept_ * limit_) return;

@@ -72,7 +72,8 @@ void BalanceMonitor<D>::count(const Instant<D>& now, const WorkAndImpulse<D>& do
   const Vector<D> momentum = last_.linear_momentum - done.impulse;
   const double angular = last_.angular_momentum - done.angular_impulse;
   largest_energy_ = std::max(largest_energy_, std::abs(energy));
-  drift_ = std::max(drift_, std::abs(energy - first_energy_ - work + done.dissipated));
+  drift_ = std::max(drift_,
+                    std::abs(energy - first_energy_ - work + done.dissipated + last_.dissipated));
   momentum_scale_ = std::max(momentum_scale_, last_.momentum_scale);
   angular_scale_ = std::max(angular_scale_, last_.angular_scale);
   momentum_drift_ = std::max(momentum_drift_, (momentum - first_momentum_).norm());
@@ -95,7 +96,8 @@ template <int D>
 void BalanceMonitor<D>::check_growth(const Instant<D>& now, const WorkAndImpulse<D>& done) {
   const double work = done.external_work + last_.gravity;
   energy_scale_ =
-      std::max({energy_scale_, std::abs(first_energy_ + work - done.dissipated), std::abs(work)});
+      std::max({energy_scale_, std::abs(first_energy_ + work - done.dissipated - last_.dissipated),
+                std::abs(work)});
   if (!unexplained(last_)) {
     growing_ = 0;
     const double energy = last_.kinetic + last_.ripple + last_.elastic;
@@ -105,6 +107,7 @@ void BalanceMonitor<D>::check_growth(const Instant<D>& now, const WorkAndImpulse
     balanced_.last_dt = now.state.last_dt;
     balanced_.u = now.state.u;
     balanced_.v = now.state.v;
+    balanced_.past = now.state.past;
     return;
   }
   if (growing_ == 0) growth_ = lost_at<D>(now, "motion grows beyond all bounds", cure_);

@@ -59,7 +59,8 @@ void LinearisedForces<D>::product(const VectorField<D>& x, VectorField<D>& force
         [&](const auto& law) {
           for_rows(region.size(H_.rows()), [&](Index k) {
             const Index s = region.point(k);
-            const Tensor<D> dP = law.dpk1(tensor_at<D>(state_.H, s), tensor_at<D>(H_, s));
+            const Tensor<D> dP =
+                law.at(present(state_, s)).dpk1(tensor_at<D>(state_.H, s), tensor_at<D>(H_, s));
             Eigen::Map<Tensor<D>>(H_.data() + s * D * D) = dP;
           });
         },

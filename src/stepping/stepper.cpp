@@ -263,6 +263,7 @@ bool Stepper<D>::restore_last_good() {
   state_.last_dt = balanced.last_dt;
   state_.u = balanced.u;
   state_.v = balanced.v;
+  state_.past = balanced.past;
   compute_forces(state_);
   return true;
 }

@@ -30,21 +30,21 @@ void subtract(Index size, const double* r, double* a) {
   for (; at < size; ++at) a[at] -= r[at];
 }
 
+/// None for a law with a memory, which is not swept.
+template <int D, class Law>
+constexpr LawLoops law_loops() {
+  if constexpr (requires { Law::memory; })
+    return {};
+  else
+    return {apply_law<D, Law>, points<D, D, Law>, points<D, D + 1, Law>, apply_tangent<D, Law>,
+            stiffening<D, Law>};
+}
+
 template <int D, class... Law>
 constexpr Loops<D> make_loops(laws::List<Law...>) {
-  return {gradient<D, D>,
-          gradient<D, D + 1>,
-          divergence<D, D>,
-          divergence<D, D + 1>,
-          move<D, D>,
-          move<D, D + 1>,
-          differences<D>,
-          {{apply_law<D, Law>, points<D, D, Law>, points<D, D + 1, Law>, apply_tangent<D, Law>,
-            stiffening<D, Law>}...},
-          deformation<D>,
-          multiply_adds,
-          subtract,
-          accelerations<D>,
+  return {gradient<D, D>, gradient<D, D + 1>, divergence<D, D>, divergence<D, D + 1>,
+          move<D, D>,     move<D, D + 1>,     differences<D>,   {law_loops<D, Law>()...},
+          deformation<D>, multiply_adds,      subtract,         accelerations<D>,
           move_on<D>};
 }
 

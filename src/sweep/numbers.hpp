@@ -73,6 +73,10 @@ struct tlsph::Numbers<tlsph::sweep::Real> {
   TLSPH_INLINE static Real all(double value) { return sweep::all(value); }
   TLSPH_INLINE static bool everywhere(Mask mask) { return sweep::everywhere(mask); }
   TLSPH_INLINE static Real magnitude(Real value) { return sweep::absolute(value); }
+  TLSPH_INLINE static Real root(Real value) {
+    for (int lane = 0; lane < TLSPH_LANES; ++lane) value[lane] = __builtin_sqrt(value[lane]);
+    return value;
+  }
   /// ln J and 1/J; `good` loses the lanes where J ≤ 0 or is not finite.
   TLSPH_INLINE static Real log_and_inverse(Real e, Real& inverse, Mask& good) {
     const Real J = 1.0 + e;

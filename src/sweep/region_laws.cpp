@@ -24,7 +24,8 @@ std::vector<RegionLaw<D>> region_laws(const Discretisation<D>& disc, const Loops
     const std::optional<AnyLaw<D>> linear = linearised ? at_rest<D>(region.law) : std::nullopt;
     RegionLaw<D> law{linear.value_or(region.law), nullptr, linearised && !linear};
     const std::size_t index = law.law.index();
-    if (index < std::size(loops.laws) && !law.linearised) law.loops = &loops.laws[index];
+    if (index < std::size(loops.laws) && !law.linearised && tlsph::memory<D>(law.law) == 0)
+      law.loops = &loops.laws[index];
     result.push_back(std::move(law));
   }
   return result;

@@ -15,24 +15,6 @@ namespace {
 
 using namespace sweep;
 
-/// max λ_max(A(H) − A(H₀)) of points of a law without loops, by Gershgorin's discs.
-template <int D, class Directions, class Stored>
-double stiffening_of(const AnyLaw<D>& law, Index count, const Directions& H, const Stored& before) {
-  const auto tangent_at = [&](const auto& field, Index s) {
-    Tensor<D> strain;
-    for (int i = 0; i < D; ++i)
-      for (int a = 0; a < D; ++a) strain(i, a) = field[static_cast<std::size_t>(a)][s * D + i];
-    return tangent<D>(law, strain);
-  };
-  double end = 0.0;
-  for (Index s = 0; s < count; ++s) {
-    const Tangent<D> A = tangent_at(H, s) - tangent_at(before, s);
-    for (int i = 0; i < D * D; ++i)
-      end = std::max(end, A(i, i) + A.row(i).cwiseAbs().sum() - std::abs(A(i, i)));
-  }
-  return end;
-}
-
 /// H of the stretch, U − 1 with F = R U, in the place of H: A(R U) has the eigenvalues of A(U), so
 /// a body that turns has not deformed.
 template <int D>
@@ -77,6 +59,10 @@ template <int D>
 struct StrainMonitor<D>::Parts {
   using Directions = std::array<const double*, static_cast<std::size_t>(D)>;
   using Stored = std::array<const float*, static_cast<std::size_t>(D)>;
+  struct Memories {
+    const MemoryField& now;
+    const MemoryField& before;
+  };
 
   const Discretisation<D>& disc;
   const Loops<D>& loops;
@@ -157,8 +143,8 @@ struct StrainMonitor<D>::Parts {
   }
 
   [[nodiscard]] double stiffening_of_block(Index first, Index count, const Directions& H,
-                                           const Stored& before) const {
-    if (region.empty()) return stiffening_of_region(0, count, H, before);
+                                           const Stored& before, const Memories& memories) const {
+    if (region.empty()) return stiffening_of_region(0, first, count, H, before, memories);
     double most = 0.0;
     for (Index s = 0; s < count;) {
       const int law = region[static_cast<std::size_t>(first + s)];
@@ -170,17 +156,38 @@ struct StrainMonitor<D>::Parts {
         some[a] += s * D;
         some_before[a] += s * D;
       }
-      most = std::max(most, stiffening_of_region(law, end - s, some, some_before));
+      most = std::max(most,
+                      stiffening_of_region(law, first + s, end - s, some, some_before, memories));
       s = end;
     }
     return most;
   }
 
-  [[nodiscard]] double stiffening_of_region(Index number, Index count, const Directions& H,
-                                            const Stored& before) const {
+  [[nodiscard]] double stiffening_of_region(Index number, Index first, Index count,
+                                            const Directions& H, const Stored& before,
+                                            const Memories& memories) const {
     const RegionLaw<D>& law = laws[static_cast<std::size_t>(number)];
-    if (law.loops == nullptr) return stiffening_of<D>(law.law, count, H, before);
+    if (law.loops == nullptr) return stiffening_of(law.law, first, count, H, before, memories);
     return law.loops->stiffening(law.text(), H.data(), before.data(), count);
+  }
+
+  /// The same of a law without loops, by Gershgorin's discs.
+  [[nodiscard]] static double stiffening_of(const AnyLaw<D>& law, Index first, Index count,
+                                            const Directions& H, const Stored& before,
+                                            const Memories& memories) {
+    const auto tangent_at = [&](const auto& field, const MemoryField& memory, Index s) {
+      Tensor<D> strain;
+      for (int i = 0; i < D; ++i)
+        for (int a = 0; a < D; ++a) strain(i, a) = field[static_cast<std::size_t>(a)][s * D + i];
+      return tangent<D>(law, strain, {memory.data() + (first + s) * memory.cols(), 0.0});
+    };
+    double end = 0.0;
+    for (Index s = 0; s < count; ++s) {
+      const Tangent<D> A = tangent_at(H, memories.now, s) - tangent_at(before, memories.before, s);
+      for (int i = 0; i < D * D; ++i)
+        end = std::max(end, A(i, i) + A.row(i).cwiseAbs().sum() - std::abs(A(i, i)));
+    }
+    return end;
   }
 };
 
@@ -230,23 +237,27 @@ double StrainMonitor<D>::deformation(const State<D>& state, const StrainField& b
 }
 
 template <int D>
-double StrainMonitor<D>::stiffening(const State<D>& state, const StrainField& before) {
+double StrainMonitor<D>::stiffening(const State<D>& state, const StrainField& before,
+                                    const MemoryField& memory_before) {
+  const typename Parts::Memories memories{state.memory, memory_before};
   return parts_
       ->largest(state,
                 [&](Index first, Index count, const auto& H) {
-                  return Change{
-                      parts_->stiffening_of_block(first, count, H, parts_->at(before, first)), 0.0};
+                  return Change{parts_->stiffening_of_block(first, count, H,
+                                                            parts_->at(before, first), memories),
+                                0.0};
                 })
       .stiffening;
 }
 
 template <int D>
-auto StrainMonitor<D>::change(const State<D>& state, const StrainField& before, StrainField& to)
-    -> Change {
+auto StrainMonitor<D>::change(const State<D>& state, const StrainField& before,
+                              const MemoryField& memory_before, StrainField& to) -> Change {
+  const typename Parts::Memories memories{state.memory, memory_before};
   Change most = parts_->largest(state, [&](Index first, Index count, const auto& H) {
     const auto then = parts_->at(before, first);
     parts_->copy(first, count, H, to);
-    return Change{parts_->stiffening_of_block(first, count, H, then),
+    return Change{parts_->stiffening_of_block(first, count, H, then, memories),
                   parts_->loops.deformation(H.data(), then.data(), count)};
   });
   most.deformation = std::sqrt(most.deformation);

@@ -181,7 +181,7 @@ bool Sweep<D>::possible(const Discretisation<D>& disc) {
   const bool signals =
       !disc.gradient_terms.empty() || !disc.force_terms.empty() || !disc.stress_values.empty();
   const bool rows_of_both = disc.viscosity.nonZeros() > 0 && disc.stiffness.nonZeros() > 0;
-  return disc.ghosts == nullptr && !signals && disc.reactions.empty() &&
+  return disc.memory() == 0 && disc.ghosts == nullptr && !signals && disc.reactions.empty() &&
          !disc.gradient.per_component() && !disc.divergence.per_component() && !rows_of_both;
 }
 

@@ -3,6 +3,7 @@
 /// Load curves: a value over time t [s], zero before t = 0, with the rate and the integral that
 /// prescribed motion and exact solutions need.
 
+#include <functional>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -51,7 +52,16 @@ struct TableCurve {
 /// are joined by a line.
 [[nodiscard]] TableCurve cubic_spline(TableCurve table);
 
-using Curve = std::variant<ConstantCurve, RampCurve, PulseCurve, SineSquaredCurve, TableCurve>;
+/// Whichever functions of t ≥ 0 a caller brings. Loads ask for the value only, moved boundaries for
+/// the rate too, exact solutions for the integral; what nobody asks for may be left empty.
+struct GivenCurve {
+  std::function<double(double)> value;
+  std::function<double(double)> rate = {};      ///< d(value)/dt
+  std::function<double(double)> integral = {};  ///< ∫₀ᵗ value dt'
+};
+
+using Curve =
+    std::variant<ConstantCurve, RampCurve, PulseCurve, SineSquaredCurve, TableCurve, GivenCurve>;
 
 /// Value at time t.
 [[nodiscard]] double value(const Curve& curve, double t);

@@ -83,10 +83,11 @@ struct WorkAndImpulse {
 /// Energy and momenta at t_n.
 template <int D>
 struct Balance {
-  double kinetic = 0.0;  ///< ½ v_{n−½}ᵀ M (v_{n−½} + Δt_{n−1} a_n)
-  double ripple = 0.0;   ///< ½ v_nᵀ M v_n less `kinetic`, never negative
-  double elastic = 0.0;  ///< Σ V Ψ + ½ uᵀ S u
-  double gravity = 0.0;  ///< work of the body force since t = 0, Σ m g·u
+  double kinetic = 0.0;     ///< ½ v_{n−½}ᵀ M (v_{n−½} + Δt_{n−1} a_n)
+  double ripple = 0.0;      ///< ½ v_nᵀ M v_n less `kinetic`, never negative
+  double elastic = 0.0;     ///< Σ V Ψ + ½ uᵀ S u
+  double dissipated = 0.0;  ///< Σ V × what laws with a memory have lost since t = 0
+  double gravity = 0.0;     ///< work of the body force since t = 0, Σ m g·u
   Vector<D> linear_momentum = Vector<D>::Zero();  ///< Σ m v_n
   double angular_momentum = 0.0;  ///< Σ m x × v_n (X × v_n for linear elasticity)
   double momentum_scale = 0.0;    ///< Σ m |v_n|
@@ -95,8 +96,12 @@ struct Balance {
 template <int D>
 [[nodiscard]] Balance<D> balance(const Instant<D>& now);
 
-/// Σ V Ψ + ½ uᵀ S u [J per thickness] at the state's u and H.
+/// Σ V Ψ + ½ uᵀ S u [J per thickness] at the state's u, H and memory.
 template <int D>
 [[nodiscard]] double elastic_energy(const Discretisation<D>& discretisation, const State<D>& state);
+/// Σ V × what laws with a memory have lost since t = 0 [J per thickness], at the state's memory.
+template <int D>
+[[nodiscard]] double dissipated_energy(const Discretisation<D>& discretisation,
+                                       const State<D>& state);
 
 }  // namespace tlsph

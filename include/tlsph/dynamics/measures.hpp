@@ -15,10 +15,11 @@ struct StressMeasures {
   double von_mises = 0.0;
 };
 
-/// The measures of P at displacement gradient H in a region of the body.
+/// The measures of P at displacement gradient H, and the memory of the law there, in a region of
+/// the body.
 template <int D>
 [[nodiscard]] StressMeasures<D> stress_measures(const Region<D>& region, const Tensor<D>& H,
-                                                const Tensor<D>& P);
+                                                const Tensor<D>& P, const Past& past = {});
 
 /// The region a material point belongs to.
 template <int D>

@@ -1,7 +1,8 @@
 #pragma once
 /// \file
-/// What changes during a run. Position and half-step velocity are the state proper; the rest is
-/// recomputed from them, so that a run goes on bit-identically from {step, time, u, v}.
+/// What changes during a run. Position, half-step velocity and the past of laws with a memory are
+/// the state proper; the rest is recomputed from them, so that a run goes on bit-identically from
+/// {step, time, last_dt, u, v, past}.
 
 #include <string>
 #include <vector>
@@ -10,6 +11,9 @@
 
 namespace tlsph {
 
+/// What material points remember, M×m; no columns where no law has a memory.
+using MemoryField = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
 template <int D>
 struct State {
   long step = 0;
@@ -17,22 +21,31 @@ struct State {
   double last_dt = 0.0;  ///< t_n − t_{n−1} [s]; equal to the coming step at n = 0
   VectorField<D> u;      ///< displacement at t_n [m]
   VectorField<D> v;      ///< velocity at t_{n−½} [m/s]
+  MemoryField past;      ///< memory of the laws at t_{n−1}
 
   TensorField<D> H;        ///< displacement gradient at t_n
   TensorField<D> P;        ///< first Piola–Kirchhoff stress at t_n [Pa]
+  MemoryField memory;      ///< of the laws at t_n
   VectorField<D> f;        ///< total force at t_n, reactions excluded [N per thickness]
   VectorField<D> viscous;  ///< C v, empty without viscosity
   std::vector<double> signals;
   typename GhostGradient<D>::Workspace ghosts;
 };
 
+/// The past of a sudden change of an evaluated state at a material point.
+template <int D>
+[[nodiscard]] Past present(const State<D>& state, Index point) {
+  return {state.memory.data() + point * state.memory.cols(), 0.0};
+}
+
 /// The state at t = 0 with u and v(0) given; v is set to v_{−½} = v(0) − ½ Δt a(0) by `start`.
+/// Material is virgin.
 template <int D>
 [[nodiscard]] State<D> make_state(const Discretisation<D>& discretisation, VectorField<D> u,
                                   VectorField<D> v);
 
-/// H, P and f at the state's u, v and time. Throws NumericalError, naming time and material point,
-/// when det F ≤ 0 or a stress is not finite. Takes nothing from the heap.
+/// H, P, memory and f at the state's u, v, past and time. Throws NumericalError, naming time and
+/// material point, when det F ≤ 0 or a stress is not finite. Takes nothing from the heap.
 template <int D>
 void evaluate(const Discretisation<D>& discretisation, State<D>& state);
 
@@ -73,7 +86,8 @@ template <int D>
 void start(const Discretisation<D>& discretisation, State<D>& state, double dt);
 
 /// One step of the central difference: v_{n+½} = v_{n−½} + ½(Δt_{n−1} + Δt) a_n, u_{n+1} = u_n +
-/// Δt v_{n+½}, to `next_time` = t_n + dt. Needs `evaluate` before; leaves H, P and f behind at t_n.
+/// Δt v_{n+½}, to `next_time` = t_n + dt. Needs `evaluate` before; leaves H, P and f behind at t_n,
+/// whose memory becomes the past.
 template <int D>
 void advance(const Discretisation<D>& discretisation, State<D>& state, double dt, double next_time);
 

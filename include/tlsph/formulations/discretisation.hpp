@@ -71,8 +71,12 @@ struct Discretisation {
 
   [[nodiscard]] Index nodes() const { return particles.size(); }
   [[nodiscard]] bool has_body_force() const { return body_force.squaredNorm() > 0.0; }
+  /// True when no law tells the deformed body from the reference configuration.
+  [[nodiscard]] bool small_strain() const;
+  /// Numbers that a material point remembers, the most of any law.
+  [[nodiscard]] int memory() const;
   /// True when every law is linear, so that the critical step holds for ever.
-  [[nodiscard]] bool linear() const;
+  [[nodiscard]] bool linear() const { return small_strain() && memory() == 0; }
   /// Largest longitudinal wave speed of the undeformed body, c_p [m/s].
   [[nodiscard]] double wave_speed() const;
 };

@@ -72,6 +72,11 @@ template <ElasticLaw<3> SolidLaw>
 
 // The functions of a law for callers outside the loops.
 
+/// Numbers that a material point remembers.
+template <int D>
+[[nodiscard]] int memory(const AnyLaw<D>& any) {
+  return std::visit([](const auto& law) { return law.memory(); }, any);
+}
 /// Ψ [J/m³].
 template <int D>
 [[nodiscard]] double energy(const AnyLaw<D>& any, const Tensor<D>& H) {
@@ -84,8 +89,8 @@ template <int D>
 }
 /// ∂P/∂F [Pa].
 template <int D>
-[[nodiscard]] Tangent<D> tangent(const AnyLaw<D>& any, const Tensor<D>& H) {
-  return std::visit([&](const auto& law) { return law.tangent(H); }, any);
+[[nodiscard]] Tangent<D> tangent(const AnyLaw<D>& any, const Tensor<D>& H, const Past& past = {}) {
+  return std::visit([&](const auto& law) { return law.at(past).tangent(H); }, any);
 }
 /// True for laws that are linear in H, for which det F has no meaning.
 template <int D>

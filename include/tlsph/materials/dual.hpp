@@ -35,6 +35,21 @@ template <class R, int N>
   return dual<N>(R(a.value * b.value),
                  [&](int n) { return a.change[n] * b.value + a.value * b.change[n]; });
 }
+/// (a/b)' = (a' − (a/b) b')/b.
+template <class R, int N>
+[[gnu::always_inline]] inline Dual<R, N> operator/(const Dual<R, N>& a, const Dual<R, N>& b) {
+  const R inverse = 1.0 / b.value, quotient = a.value * inverse;
+  return dual<N>(quotient, [&](int n) { return (a.change[n] - quotient * b.change[n]) * inverse; });
+}
+template <class R, int N>
+[[gnu::always_inline]] inline Dual<R, N> operator/(double a, const Dual<R, N>& b) {
+  const R inverse = 1.0 / b.value, quotient = a * inverse;
+  return dual<N>(quotient, [&](int n) { return -quotient * inverse * b.change[n]; });
+}
+template <class R, int N>
+[[gnu::always_inline]] inline Dual<R, N> operator/(const Dual<R, N>& a, double b) {
+  return (1.0 / b) * a;
+}
 template <class R, int N>
 [[gnu::always_inline]] inline Dual<R, N> operator-(const Dual<R, N>& a) {
   return dual<N>(R(-a.value), [&](int n) { return -a.change[n]; });
@@ -44,12 +59,24 @@ template <class R, int N>
   return dual<N>(R(a + b.value), [&](int n) { return b.change[n]; });
 }
 template <class R, int N>
+[[gnu::always_inline]] inline Dual<R, N> operator+(const Dual<R, N>& a, double b) {
+  return b + a;
+}
+template <class R, int N>
 [[gnu::always_inline]] inline Dual<R, N> operator-(const Dual<R, N>& a, double b) {
   return dual<N>(R(a.value - b), [&](int n) { return a.change[n]; });
 }
 template <class R, int N>
+[[gnu::always_inline]] inline Dual<R, N> operator-(double a, const Dual<R, N>& b) {
+  return a + -b;
+}
+template <class R, int N>
 [[gnu::always_inline]] inline Dual<R, N> operator*(double a, const Dual<R, N>& b) {
   return dual<N>(R(a * b.value), [&](int n) { return a * b.change[n]; });
+}
+template <class R, int N>
+[[gnu::always_inline]] inline Dual<R, N> operator*(const Dual<R, N>& a, double b) {
+  return b * a;
 }
 template <class R, int N>
 [[gnu::always_inline]] inline auto operator<(const Dual<R, N>& a, double b) {
@@ -68,6 +95,11 @@ struct Numbers<Dual<R, N>> {
   }
   [[gnu::always_inline]] static R magnitude(const Dual<R, N>& a) {
     return Numbers<R>::magnitude(a.value);
+  }
+  [[gnu::always_inline]] static Dual<R, N> root(const Dual<R, N>& a) {
+    const R root = Numbers<R>::root(a.value);
+    const R slope = 0.5 / root;
+    return dual<N>(root, [&](int n) { return slope * a.change[n]; });
   }
   [[gnu::always_inline]] static Dual<R, N> log_and_inverse(const Dual<R, N>& e, Dual<R, N>& inverse,
                                                            Mask& good) {

@@ -10,60 +10,108 @@
 
 namespace tlsph {
 
-/// Holds a copy of any ElasticLaw. `SmallStrain` is that law's own `small_strain`.
+/// Holds a copy of any ElasticLaw; of a text (law.hpp) that is `Law<Text>`, with or without a
+/// memory. `SmallStrain` is that law's own `small_strain`.
 template <int D, bool SmallStrain>
 class GivenLaw {
  public:
   static constexpr std::string_view name = "given";
   static constexpr bool small_strain = SmallStrain;
 
-  template <ElasticLaw<D> Law>
-  requires(Law::small_strain == SmallStrain) explicit GivenLaw(Law law)
-      : law_(std::make_shared<const Model<Law>>(std::move(law))) {}
+  template <ElasticLaw<D> Given>
+  requires(Given::small_strain == SmallStrain) explicit GivenLaw(Given law)
+      : owned_(std::make_shared<const Model<Given>>(std::move(law))), law_(owned_.get()) {}
 
-  [[nodiscard]] double energy(const Tensor<D>& H) const { return law_->energy(H); }
-  [[nodiscard]] Tensor<D> pk1(const Tensor<D>& H) const { return law_->pk1(H); }
-  [[nodiscard]] Tensor<D> dpk1(const Tensor<D>& H, const Tensor<D>& dH) const {
-    return law_->dpk1(H, dH);
+  [[nodiscard]] double energy(const Tensor<D>& H) const { return law_->energy(H, past_); }
+  [[nodiscard]] Tensor<D> pk1(const Tensor<D>& H, double* now = nullptr) const {
+    return law_->pk1(H, past_, now);
   }
-  [[nodiscard]] Tangent<D> tangent(const Tensor<D>& H) const { return law_->tangent(H); }
+  [[nodiscard]] Tensor<D> dpk1(const Tensor<D>& H, const Tensor<D>& dH) const {
+    return law_->dpk1(H, dH, past_);
+  }
+  [[nodiscard]] Tangent<D> tangent(const Tensor<D>& H) const { return law_->tangent(H, past_); }
   [[nodiscard]] double transverse_stretch(const Tensor<D>& H) const {
-    return law_->transverse_stretch(H);
+    return law_->transverse_stretch(H, past_);
   }
   [[nodiscard]] double transverse_stress(const Tensor<D>& H) const {
-    return law_->transverse_stress(H);
+    return law_->transverse_stress(H, past_);
   }
-  [[nodiscard]] double margin(const Tensor<D>& H) const { return law_->margin(H); }
+  [[nodiscard]] double margin(const Tensor<D>& H) const { return law_->margin(H, past_); }
+
+  [[nodiscard]] int memory() const { return law_->memory(); }
+  /// Refers to this one, which must outlive it.
+  [[nodiscard]] GivenLaw at(const Past& past) const { return GivenLaw(law_, past); }
+  [[nodiscard]] double dissipated() const { return law_->dissipated(past_); }
 
  private:
   struct Interface {
     virtual ~Interface() = default;
-    virtual double energy(const Tensor<D>& H) const = 0;
-    virtual Tensor<D> pk1(const Tensor<D>& H) const = 0;
-    virtual Tensor<D> dpk1(const Tensor<D>& H, const Tensor<D>& dH) const = 0;
-    virtual Tangent<D> tangent(const Tensor<D>& H) const = 0;
-    virtual double transverse_stretch(const Tensor<D>& H) const = 0;
-    virtual double transverse_stress(const Tensor<D>& H) const = 0;
-    virtual double margin(const Tensor<D>& H) const = 0;
+    virtual double energy(const Tensor<D>& H, const Past& past) const = 0;
+    virtual Tensor<D> pk1(const Tensor<D>& H, const Past& past, double* now) const = 0;
+    virtual Tensor<D> dpk1(const Tensor<D>& H, const Tensor<D>& dH, const Past& past) const = 0;
+    virtual Tangent<D> tangent(const Tensor<D>& H, const Past& past) const = 0;
+    virtual double transverse_stretch(const Tensor<D>& H, const Past& past) const = 0;
+    virtual double transverse_stress(const Tensor<D>& H, const Past& past) const = 0;
+    virtual double margin(const Tensor<D>& H, const Past& past) const = 0;
+    virtual int memory() const = 0;
+    virtual double dissipated(const Past& past) const = 0;
   };
-  template <class Law>
+  template <class Given>
   struct Model final : Interface {
-    explicit Model(Law held) : law(std::move(held)) {}
-    double energy(const Tensor<D>& H) const override { return law.energy(H); }
-    Tensor<D> pk1(const Tensor<D>& H) const override { return law.pk1(H); }
-    Tensor<D> dpk1(const Tensor<D>& H, const Tensor<D>& dH) const override {
-      return law.dpk1(H, dH);
+    static constexpr bool remembers = requires(const Given& law) { law.at(Past{}); };
+
+    explicit Model(Given held) : law(std::move(held)) {}
+    double energy(const Tensor<D>& H, const Past& past) const override {
+      return at(past).energy(H);
     }
-    Tangent<D> tangent(const Tensor<D>& H) const override { return law.tangent(H); }
-    double transverse_stretch(const Tensor<D>& H) const override {
-      return law.transverse_stretch(H);
+    Tensor<D> pk1(const Tensor<D>& H, const Past& past,
+                  [[maybe_unused]] double* now) const override {
+      if constexpr (remembers)
+        return law.at(past).pk1(H, now);
+      else
+        return law.pk1(H);
     }
-    double transverse_stress(const Tensor<D>& H) const override { return law.transverse_stress(H); }
-    double margin(const Tensor<D>& H) const override { return law.margin(H); }
-    Law law;
+    Tensor<D> dpk1(const Tensor<D>& H, const Tensor<D>& dH, const Past& past) const override {
+      return at(past).dpk1(H, dH);
+    }
+    Tangent<D> tangent(const Tensor<D>& H, const Past& past) const override {
+      return at(past).tangent(H);
+    }
+    double transverse_stretch(const Tensor<D>& H, const Past& past) const override {
+      return at(past).transverse_stretch(H);
+    }
+    double transverse_stress(const Tensor<D>& H, const Past& past) const override {
+      return at(past).transverse_stress(H);
+    }
+    double margin(const Tensor<D>& H, const Past& past) const override {
+      return at(past).margin(H);
+    }
+    int memory() const override {
+      if constexpr (remembers)
+        return law.memory();
+      else
+        return 0;
+    }
+    double dissipated([[maybe_unused]] const Past& past) const override {
+      if constexpr (remembers)
+        return law.at(past).dissipated();
+      else
+        return 0.0;
+    }
+    decltype(auto) at([[maybe_unused]] const Past& past) const {
+      if constexpr (remembers)
+        return law.at(past);
+      else
+        return (law);
+    }
+    Given law;
   };
 
-  std::shared_ptr<const Interface> law_;
+  GivenLaw(const Interface* law, const Past& past) : law_(law), past_(past) {}
+
+  std::shared_ptr<const Interface> owned_;
+  const Interface* law_;
+  Past past_;
 };
 
 }  // namespace tlsph

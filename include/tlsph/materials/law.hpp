@@ -28,6 +28,7 @@
 
 #include <concepts>
 #include <string_view>
+#include <type_traits>
 
 #include "tlsph/core/types.hpp"
 #include "tlsph/materials/dual.hpp"
@@ -51,6 +52,42 @@ concept ElasticLaw = requires(const L& law, const Tensor<D>& H) {
   { law.margin(H) } -> std::same_as<double>;              // positive inside the law's range
 };
 
+/// What a material point of a law with a memory comes from: its numbers at the time before, none
+/// where it is virgin, and the time since [s].
+struct Past {
+  const double* memory = nullptr;
+  double dt = 0.0;
+};
+
+/// A text of a law with a memory.
+template <class Text>
+concept Remembers = requires {
+  { Text::memory } -> std::convertible_to<int>;
+};
+
+/// Such a text at a past, as one without memory.
+template <class Text>
+class AtPast : public Text {
+ public:
+  using Text::Text;
+  explicit AtPast(const Text& text) : Text(text) {}
+
+  template <class R>
+  [[nodiscard]] R energy(const TensorOf<Text::dimension, R>& H) const {
+    return Text::energy(H, past_.memory);
+  }
+  template <class R>
+  [[nodiscard]] TensorOf<Text::dimension, R> stress(const TensorOf<Text::dimension, R>& H,
+                                                    Mask<R>& good) const {
+    R now[Text::memory];
+    return Text::stress(H, past_, now, good);
+  }
+
+ protected:
+  static constexpr double virgin[Text::memory] = {};
+  Past past_{virgin, 0.0};
+};
+
 /// A law from its text, with tensors for components. A text has, beside its constants,
 ///
 ///     dimension, name, small_strain, keys: its constants, whose values a constructor takes
@@ -61,17 +98,32 @@ concept ElasticLaw = requires(const L& law, const Tensor<D>& H) {
 /// where `good` is lost outside the law's range, and may have what any_law.hpp and the sweep ask
 /// for: `range` in words, `at_rest()`, the linear law of small strains, and `multiply_adds`, the
 /// work of `stress` in an inner loop, a division as four.
+///
+/// A text of a law whose stress depends on what a point has gone through has instead
+///
+///     static constexpr int memory: the numbers that a point remembers, zero in virgin material
+///     double energy(H, const double* now)              stored, at H and the memory there
+///     TensorOf<D, R> stress(H, Past, R* now, good)     and the memory at H, into `now`
+///     double dissipated(const double* now)             since the start [J/m³]
+///
+/// A past of dt = 0 is that of a sudden change of H: rates have no time to act. The tangent is that
+/// of `stress` at a given past; with the memory at H and dt = 0 it limits the step. Memories are
+/// scalars or tensors of the reference configuration.
 template <class Text>
-class Law : public Text {
+class Law : public std::conditional_t<Remembers<Text>, AtPast<Text>, Text> {
  public:
+  using Base = std::conditional_t<Remembers<Text>, AtPast<Text>, Text>;
   static constexpr int D = Text::dimension;
-  using Text::Text;
-  explicit Law(const Text& text) : Text(text) {}
+  using Base::Base;
+  explicit Law(const Text& text) : Base(text) {}
 
-  [[nodiscard]] double energy(const Tensor<D>& H) const { return Text::energy(components(H)); }
-  [[nodiscard]] Tensor<D> pk1(const Tensor<D>& H) const {
+  [[nodiscard]] double energy(const Tensor<D>& H) const { return Base::energy(components(H)); }
+  /// Without a memory `now` is left alone.
+  [[nodiscard]] Tensor<D> pk1(const Tensor<D>& H, [[maybe_unused]] double* now = nullptr) const {
     bool good = true;
-    return tensor(Text::stress(components(H), good));
+    if constexpr (Remembers<Text>)
+      if (now != nullptr) return tensor(Text::stress(components(H), this->past_, now, good));
+    return tensor(Base::stress(components(H), good));
   }
   [[nodiscard]] Tensor<D> dpk1(const Tensor<D>& H, const Tensor<D>& dH) const {
     return tensor(action_of<D>(text(), components(H), components(dH)));
@@ -89,7 +141,32 @@ class Law : public Text {
     return Text::transverse_stress(components(H));
   }
   [[nodiscard]] double margin(const Tensor<D>& H) const { return Text::margin(components(H)); }
-  [[nodiscard]] const Text& text() const { return *this; }
+  [[nodiscard]] const Base& text() const { return *this; }
+
+  /// Numbers that a material point remembers.
+  [[nodiscard]] static constexpr int memory() {
+    if constexpr (Remembers<Text>)
+      return Text::memory;
+    else
+      return 0;
+  }
+  /// The law at a past: this one, of virgin points and sudden changes, where it has no memory.
+  [[nodiscard]] decltype(auto) at([[maybe_unused]] const Past& past) const {
+    if constexpr (Remembers<Text>) {
+      Law here = *this;
+      here.past_ = {past.memory != nullptr ? past.memory : Base::virgin, past.dt};
+      return here;
+    } else {
+      return (*this);
+    }
+  }
+  /// Energy that points of that past have lost [J/m³].
+  [[nodiscard]] double dissipated() const {
+    if constexpr (Remembers<Text>)
+      return Text::dissipated(this->past_.memory);
+    else
+      return 0.0;
+  }
 
  private:
   static TensorOf<D, double> components(const Tensor<D>& H) {

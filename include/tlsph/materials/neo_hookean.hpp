@@ -48,9 +48,14 @@ class NeoHookean {
     R log = Numbers<R>::log_and_inverse(e, inverse, good);
     R shear = distortion(H) - Numbers<R>::log_minus(e);
     if constexpr (n == 0) return mu_ * shear + 0.5 * lambda_ * log * log;
-    const R c = square_change(log, good);
-    shear = shear - 0.5 * n * Numbers<R>::log_minus(c);
-    log = log + 0.5 * n * Numbers<R>::log_and_inverse(c, inverse, good);
+    const R c = square_change<true>(log, good);
+    if (c < small_square) {
+      shear = shear - (transverse_log(c, log) - 0.5 * n * c);
+      log = -mu_ / lambda_ * c;
+    } else {
+      shear = shear - 0.5 * n * Numbers<R>::log_minus(c);
+      log = log + 0.5 * n * Numbers<R>::log_and_inverse(c, inverse, good);
+    }
     return mu_ * shear - 0.5 * mu_ * c * log;
   }
 
@@ -100,14 +105,13 @@ class NeoHookean {
     return result;
   }
 
-  /// 1, or the stretch s that frees the missing directions of stress. Where s² is small it comes
-  /// from λ ln J = p: 1 + c would have lost its digits.
+  /// 1, or the stretch s that frees the missing directions of stress.
   [[nodiscard]] double transverse_stretch(const TensorOf<D, double>& H) const {
     if constexpr (n == 0) return 1.0;
     bool good = true;
     const double log = log_volume(volume_change<D>(H));
-    const double c = square_change(log, good);
-    return c < -0.5 ? std::exp((-mu_ * c / lambda_ - log) / n) : std::sqrt(1 + c);
+    const double c = square_change<true>(log, good);
+    return c < small_square ? std::exp(transverse_log(c, log) / n) : std::sqrt(1 + c);
   }
 
   /// Cauchy σ_33 = λ ln J / J (with F_33 = 1), or zero.
@@ -145,6 +149,13 @@ class NeoHookean {
     }
   }
 
+  /// Where c is less, 1 + c has lost digits of s², and n ln s comes from λ ln J = p.
+  static constexpr double small_square = -0.5;
+  template <class R>
+  [[nodiscard]] R transverse_log(const R& c, const R& log) const {
+    return -mu_ / lambda_ * c - log;
+  }
+
   /// p from ln J of the model's directions.
   template <class R>
   [[nodiscard]] [[gnu::always_inline]] R pressure(const R& log, Mask<R>& good) const {
@@ -160,8 +171,9 @@ class NeoHookean {
   ///
   /// which grows at c = 0. For λ ≥ 0 it is concave: from the second iterate on the way goes up to
   /// the root. For λ < 0 it is convex and the way goes down to the root of the branch that grows;
-  /// without a root on it NaN.
-  template <class R>
+  /// without a root on it NaN. Right to round-off relative to c and, with `of_square`, to s² = 1 +
+  /// c down to 1e-5; in stress and tangent s² is added to 1, and the first is enough.
+  template <bool of_square = false, class R>
   [[nodiscard]] [[gnu::always_inline]] R square_change(const R& log, Mask<R>& good) const {
     constexpr int most_iterations = 60;
     R c = at_least<R>(-lambda_ / (mu_ + 0.5 * n * lambda_) * log, Numbers<R>::all(-0.9));
@@ -173,6 +185,7 @@ class NeoHookean {
       const R step = (mu_ * c + lambda_ * (log + 0.5 * n * transverse)) / slope;
       // the next step would be below round-off
       found = Numbers<R>::magnitude(step) <= 1e-9 * Numbers<R>::magnitude(c);
+      if constexpr (of_square) found &= Numbers<R>::magnitude(step) <= 1e-9 * (c + 1.0) + 1e-14;
       if (lambda_ < 0.0) found &= slope > 0.0;
       c = at_least<R>(c - step, 0.1 * (1.0 + c) - 1.0);
     }
@@ -185,10 +198,10 @@ class NeoHookean {
   [[nodiscard]] [[gnu::always_inline]] R slope_of_change(const R& c) const {
     return -lambda_ * (1.0 + c) / (mu_ + 0.5 * n * lambda_ + mu_ * c);
   }
-  template <class R, int N>
+  template <bool of_square = false, class R, int N>
   [[nodiscard]] [[gnu::always_inline]] Dual<R, N> square_change(const Dual<R, N>& log,
                                                                 Mask<R>& good) const {
-    const R c = square_change(log.value, good);
+    const R c = square_change<of_square>(log.value, good);
     const R slope = slope_of_change(c);
     return dual<N>(c, [&](int k) { return slope * log.change[k]; });
   }

@@ -2,8 +2,8 @@
 /// \file
 /// What the arithmetic of a law is written in. A law is a template of the number type R: `double`,
 /// a vector of doubles (the inner loops of a sweep bring theirs) or a dual number of either
-/// (dual.hpp). `Numbers<R>` is what such a type can do beside +, −, ×
-/// and comparisons with a double, as dual.hpp has them.
+/// (dual.hpp). `Numbers<R>` is what such a type can do beside +, −, ×, / and comparisons with a
+/// double, as dual.hpp has them.
 ///
 /// No Eigen and no fmt here nor in the laws: the inner loops are compiled once an instruction set,
 /// and an inline function that both they and the rest of the program instantiate would be linked
@@ -63,6 +63,7 @@ struct Numbers<double> {
   static double all(double value) { return value; }
   static bool everywhere(bool mask) { return mask; }
   static double magnitude(double value) { return std::abs(value); }
+  static double root(double value) { return std::sqrt(value); }
   /// ln J and 1/J from e = J − 1; `good` is lost where J ≤ 0 or is not finite.
   static double log_and_inverse(double e, double& inverse, bool& good) {
     const double J = 1 + e;

@@ -25,14 +25,16 @@ template <int D, ElasticLaw<D> Law>
 
 /// The same for whichever law it is.
 template <int D>
-[[nodiscard]] Tensor<D> cauchy(const AnyLaw<D>& any, const Tensor<D>& H, const Tensor<D>& P) {
-  return std::visit([&](const auto& law) { return cauchy<D>(law, H, P); }, any);
+[[nodiscard]] Tensor<D> cauchy(const AnyLaw<D>& any, const Tensor<D>& H, const Tensor<D>& P,
+                               const Past& past = {}) {
+  return std::visit([&](const auto& law) { return cauchy<D>(law.at(past), H, P); }, any);
 }
 
 /// Cauchy stress in the missing directions [Pa]; zero in 1D stress and plane stress.
 template <int D>
-[[nodiscard]] double transverse_stress(const AnyLaw<D>& any, const Tensor<D>& H) {
-  return std::visit([&](const auto& law) { return law.transverse_stress(H); }, any);
+[[nodiscard]] double transverse_stress(const AnyLaw<D>& any, const Tensor<D>& H,
+                                       const Past& past = {}) {
+  return std::visit([&](const auto& law) { return law.at(past).transverse_stress(H); }, any);
 }
 
 /// Pressure −tr σ/3 [Pa], compression positive; `transverse` is the stress of the missing

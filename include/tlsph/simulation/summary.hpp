@@ -24,7 +24,7 @@ struct EnergyLedger {
   double kinetic = 0.0;         ///< as Balance [J per unit thickness]
   double elastic = 0.0;         ///< Σ V Ψ plus the stabiliser's ½ uᵀ S u
   double external_work = 0.0;   ///< loads and supports
-  double dissipated = 0.0;      ///< by the viscous matrix C
+  double dissipated = 0.0;      ///< by the viscous matrix C and by laws
   double drift_relative = 0.0;  ///< max |E − E₀ − W| / max E
 };
 

@@ -79,7 +79,7 @@ class AdaptiveStep {
   [[nodiscard]] double seconds() const { return seconds_; }
 
   /// Calls `visit(name, value)` for all that a checkpoint needs to go on bit for bit; values are
-  /// double, long, bool, std::optional<double> and StrainField.
+  /// double, long, bool, std::optional<double>, StrainField and MemoryField.
   template <class Visit>
   void visit(const Visit& visit) {
     visit("gamma", gamma_);
@@ -102,6 +102,7 @@ class AdaptiveStep {
     visit("estimates", estimates_);
     visit("estimated_at", H_estimate_);
     visit("bound_at", H_bound_);
+    if (memory_estimate_.size() > 0) visit("estimated_memory", memory_estimate_);
   }
 
  private:
@@ -126,6 +127,7 @@ class AdaptiveStep {
   double steady_;  ///< the step while no point deforms fast; it only falls [s]
   std::unique_ptr<StrainMonitor<D>> monitor_;
   StrainField H_estimate_, H_bound_;  ///< by direction
+  MemoryField memory_estimate_;
   bool moves_known_ = false;
   double moved_ = 0.0;                            ///< since the last check, at most [m]
   double last_move_ = 0.0, move_at_check_ = 0.0;  ///< of one step [m]

@@ -1,8 +1,8 @@
 #pragma once
 /// \file
-/// The forces of a run linearised at a state: K = −∂f/∂u with the tangents of the law there, by the
-/// run's own operators. `product` serves Lanczos (critical_step.hpp); `dynamical_matrix` gives the
-/// full matrix of a small body.
+/// The forces of a run linearised at a state: K = −∂f/∂u with the tangents of the law there, at its
+/// memory, by the run's own operators. `product` serves Lanczos (critical_step.hpp);
+/// `dynamical_matrix` gives the full matrix of a small body.
 
 #include <optional>
 
@@ -15,8 +15,8 @@ namespace tlsph {
 template <int D>
 class LinearisedForces {
  public:
-  /// Both must outlive this, and `state.H` must stay as it is. A sweep of the same discretisation,
-  /// which must outlive this too, lends its operators.
+  /// Both must outlive this, and H and memory of the state must stay as they are. A sweep of the
+  /// same discretisation, which must outlive this too, lends its operators.
   LinearisedForces(const Discretisation<D>& discretisation, const State<D>& state,
                    const Sweep<D>* sweep = nullptr);
   LinearisedForces(const LinearisedForces&) = delete;

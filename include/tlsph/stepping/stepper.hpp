@@ -112,6 +112,7 @@ class Stepper {
     };
     visit("u", state_.u);
     visit("v", state_.v);
+    if (state_.past.size() > 0) visit("past", state_.past);
     visit("step", state_.step);
     visit("time", state_.time);
     visit("last_dt", state_.last_dt);

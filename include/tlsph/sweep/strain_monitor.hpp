@@ -33,15 +33,17 @@ class StrainMonitor {
   void store(const State<D>& state, StrainField& to);
   /// max ‖U − U₀‖ ‖U⁻¹‖, the largest relative deformation of a point between two states.
   [[nodiscard]] double deformation(const State<D>& state, const StrainField& before);
-  /// max λ_max(A(U) − A(U₀)), at most that and at least zero [Pa].
-  [[nodiscard]] double stiffening(const State<D>& state, const StrainField& before);
+  /// max λ_max(A(U) − A(U₀)), at most that and at least zero [Pa]; A each at its own memory.
+  [[nodiscard]] double stiffening(const State<D>& state, const StrainField& before,
+                                  const MemoryField& memory_before);
 
   struct Change {
     double stiffening = 0.0;   ///< as above
     double deformation = 0.0;  ///< as above
   };
   /// Both at once, the strains stored in `to` on the way.
-  [[nodiscard]] Change change(const State<D>& state, const StrainField& before, StrainField& to);
+  [[nodiscard]] Change change(const State<D>& state, const StrainField& before,
+                              const MemoryField& memory_before, StrainField& to);
 
  private:
   struct Parts;

@@ -80,8 +80,8 @@ template <int D>
 class Sweep {
  public:
   /// True where a sweep can do what the discretisation asks for: gradients that are one matrix a
-  /// direction, for all components. The solves of `thesis`, mirrored edges and a stiffness matrix
-  /// beside a viscous one are left to `evaluate` and `advance`.
+  /// direction, for all components. Laws with a memory, the solves of `thesis`, mirrored edges
+  /// and a stiffness matrix beside a viscous one are left to `evaluate` and `advance`.
   [[nodiscard]] static bool possible(const Discretisation<D>& discretisation);
 
   /// Plans the passes; `discretisation` must outlive the sweep.

@@ -24,16 +24,18 @@ endforeach()
 
 execute_process(COMMAND ${CMAKE_COMMAND} -G Ninja -S "${CMAKE_CURRENT_LIST_DIR}/consumer" -B "${SCRATCH}/build"
                         "-DCMAKE_PREFIX_PATH=${prefix}" "-DCMAKE_CXX_COMPILER=${COMPILER}"
-                        "-DCMAKE_CXX_FLAGS=${FLAGS}" "-DCMAKE_BUILD_TYPE=${TYPE}" "-DLESSON=${SOURCE}/examples/library_use.cpp"
+                        "-DCMAKE_CXX_FLAGS=${FLAGS}" "-DCMAKE_BUILD_TYPE=${TYPE}" "-DEXAMPLES=${SOURCE}/examples"
                 OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${CMAKE_COMMAND} --build "${SCRATCH}/build" COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND "${SCRATCH}/build/consumer" OUTPUT_VARIABLE printed COMMAND_ERROR_IS_FATAL ANY)
 if(NOT printed STREQUAL "0.75 0.5 0.25\n")
   message(FATAL_ERROR "the consumer printed: ${printed}")
 endif()
-if(EXISTS "${SCRATCH}/build/lesson")
-  execute_process(COMMAND "${SCRATCH}/build/lesson" OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
-endif()
+file(GLOB lessons "${SOURCE}/examples/*.cpp")
+foreach(source IN LISTS lessons)
+  cmake_path(GET source STEM lesson)
+  execute_process(COMMAND "${SCRATCH}/build/${lesson}" OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+endforeach()
 if(EXISTS "${prefix}/bin/tlsph")
   execute_process(COMMAND "${prefix}/bin/tlsph" --help OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 endif()

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tlsph/materials/waves.hpp"
@@ -56,6 +57,99 @@ TEST(NeoHookeanDigits, StressAtAStrainOfOneBillionth) {
   const double x = 1e-9;
   const double expected = (2 * mu + lambda) * x - (mu + 1.5 * lambda) * x * x;
   EXPECT_NEAR(law.pk1(Tensor<1>(x))(0, 0) / expected, 1.0, 1e-15);
+}
+
+/// Energy and tangent of diagonal and sheared states free of transverse stress, in long double and
+/// with y = ln s² as the unknown, in which neither small strains nor a vanishing s cancel.
+template <int D>
+struct Reference {
+  using Long = long double;
+  static constexpr int n = 3 - D;
+  Long lambda, mu, e, log, y = 0, square = 0;  ///< square: H:H
+  Long trace = 0;
+  Long cof[D][D];
+
+  Reference(const Lame& constants, const Tensor<D>& H)
+      : lambda(constants.lambda), mu(constants.mu) {
+    Long F[2][2] = {{1 + Long{H(0, 0)}, 0}, {0, 1}};
+    for (int i = 0; i < D; ++i)
+      for (int a = 0; a < D; ++a) {
+        F[i][a] = (i == a ? 1 : 0) + Long{H(i, a)};
+        square += Long{H(i, a)} * H(i, a);
+      }
+    for (int i = 0; i < D; ++i) trace += H(i, i);
+    e = trace;
+    if constexpr (D == 2) e += Long{H(0, 0)} * H(1, 1) - Long{H(0, 1)} * H(1, 0);
+    log = std::log1p(e);
+    if constexpr (D == 1) {
+      cof[0][0] = 1;
+    } else {
+      cof[0][0] = F[1][1], cof[0][1] = -F[1][0], cof[1][0] = -F[0][1], cof[1][1] = F[0][0];
+    }
+    for (int k = 0; k < 300; ++k) {  // μ (eʸ − 1) + λ (ln J + n/2 y) = 0, by short Newton steps
+      const Long residual = mu * std::expm1(y) + lambda * (log + Long{0.5} * n * y);
+      const Long step = residual / (mu * std::exp(y) + Long{0.5} * n * lambda);
+      y -= std::clamp<Long>(step, -1, 1);
+    }
+  }
+  [[nodiscard]] Long energy() const {
+    const Long volume = log + Long{0.5} * n * y;
+    const Long shear = trace + square / 2 + Long{0.5} * n * std::expm1(y) - volume;
+    return mu * shear + lambda / 2 * volume * volume;
+  }
+  [[nodiscard]] Tangent<D> tangent() const {
+    const Long J = 1 + e, turned = mu * std::exp(y) / (J * J);
+    const Long along = turned * lambda / (mu * std::exp(y) + Long{0.5} * n * lambda);
+    Tangent<D> A;
+    for (int row = 0; row < D * D; ++row)
+      for (int column = 0; column < D * D; ++column) {
+        const int i = row / D, a = row % D, j = column / D, b = column % D;
+        A(row, column) =
+            static_cast<double>((row == column ? mu : 0) + turned * cof[i][b] * cof[j][a] +
+                                along * cof[i][a] * cof[j][b]);
+      }
+    return A;
+  }
+};
+
+template <int D>
+void expect_right_digits(double nu, const Tensor<D>& H) {
+  const Lame constants = lame(young, nu);
+  const NeoHookean<D, Assumption::stress> law(constants);
+  const Reference<D> reference(constants, H);
+  const Tangent<D> A = reference.tangent();
+  EXPECT_LE((law.tangent(H) - A).norm(), 1e-12 * A.norm()) << "nu " << nu << ", H " << H;
+  const auto s = static_cast<double>(std::exp(reference.y / 2));
+  EXPECT_NEAR(law.transverse_stretch(H), s, 1e-12 * s) << "nu " << nu << ", H " << H;
+  if (H.norm() < 1e-3) return;  // the reference loses digits of a small energy
+  const auto energy = static_cast<double>(reference.energy());
+  EXPECT_NEAR(law.energy(H), energy, 1e-12 * energy) << "nu " << nu << ", H " << H;
+}
+
+TEST(NeoHookeanDigits, AreKeptFromTinyStrainsToAVanishingThickness) {
+  for (const double nu : {-0.5, 0.3, 0.49, 0.4999}) {
+    for (const double size : {1e-11, 1e-7, 1e-3, 0.1, 0.9})
+      expect_right_digits<2>(nu, plane(size, 0.8, -0.3, 0.4, -0.35));
+    for (const double size : {1.0, 10.0, 1e2, 1e3, 1e4})
+      expect_right_digits<2>(nu, plane(size, 1.0, 0.1, -0.2, 0.7));
+    for (const double size : {1e-11, 1e-7, 1e-3, 0.5, 10.0, 1e3, 1e6, 1e9})
+      expect_right_digits<1>(nu, Tensor<1>(size));
+  }
+}
+
+/// P is the derivative of Ψ on either side of where s² is called small, and far beyond.
+TEST(NeoHookeanDigits, StressIsTheSlopeOfTheEnergy) {
+  const NeoHookean<2, Assumption::stress> law(lame(young, 0.49));
+  for (const double size : {0.4, 0.6, 1.0, 10.0, 1e3}) {
+    const Tensor<2> H = plane(size, 1.0, 0.1, -0.2, 0.7);
+    TensorOf<2, Dual<double, 4>> moved;
+    for (int k = 0; k < 4; ++k)
+      moved(k / 2, k % 2) = dual<4>(H(k / 2, k % 2), [&](int m) { return m == k ? 1.0 : 0.0; });
+    const Dual<double, 4> energy = law.text().energy(moved);
+    const Tensor<2> P = law.pk1(H);
+    for (int k = 0; k < 4; ++k)
+      EXPECT_NEAR(energy.change[k], P(k / 2, k % 2), 1e-12 * P.norm()) << "size " << size;
+  }
 }
 
 TEST(NeoHookeanDigits, HandNumbers) {
