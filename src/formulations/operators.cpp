@@ -152,7 +152,7 @@ void stress_point(const OperatorChoices& choices, const Edges<D>&, Discretisatio
 template <int D>
 using Builder = void (*)(const OperatorChoices&, const Edges<D>&, Discretisation<D>&);
 template <int D>
-constexpr std::array<Builder<D>, formulations.size()> builders = {
+constexpr std::array<Builder<D>, formulation_table.size()> builders = {
     thesis<D>, mirror<D>, variational<D>, consistent<D>, stress_point<D>};
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What each formulation is, on one page: `formulations` has a row for each, and
+/// What each formulation is, on one page: `formulation_table` has a row for each, and
 /// src/formulations/operators.cpp a builder for each. Defaults of a scene, what it may ask for, and
 /// the lists of formulations in messages are read off the table.
 ///
@@ -64,7 +64,7 @@ struct FormulationTraits {
   }
 };
 
-inline constexpr std::array<FormulationTraits, 5> formulations = {
+inline constexpr std::array<FormulationTraits, 5> formulation_table = {
     {{.formulation = Formulation::thesis,
       .name = "thesis",
       .closure = Closure::ghosts,
@@ -99,9 +99,9 @@ inline constexpr std::array<FormulationTraits, 5> formulations = {
 
 /// The row of a formulation.
 [[nodiscard]] constexpr const FormulationTraits& traits_of(Formulation formulation) {
-  return formulations[static_cast<std::size_t>(formulation)];
+  return formulation_table[static_cast<std::size_t>(formulation)];
 }
-static_assert(std::ranges::all_of(formulations, [](const FormulationTraits& row) {
+static_assert(std::ranges::all_of(formulation_table, [](const FormulationTraits& row) {
   return traits_of(row.formulation).name == row.name;
 }));
 
@@ -118,7 +118,7 @@ static_assert(std::ranges::all_of(formulations, [](const FormulationTraits& row)
 template <class Condition>
 [[nodiscard]] std::string formulations_where(const Condition& condition) {
   std::vector<std::string_view> names;
-  for (const FormulationTraits& row : formulations)
+  for (const FormulationTraits& row : formulation_table)
     if (condition(row)) names.push_back(row.name);
   std::string text;
   for (std::size_t k = 0; k < names.size(); ++k)

@@ -23,9 +23,9 @@ struct Names;
 template <>
 struct Names<Formulation> {
   static constexpr auto list = [] {
-    NameList<Formulation, formulations.size()> result;
+    NameList<Formulation, formulation_table.size()> result;
     for (std::size_t k = 0; k < result.size(); ++k)
-      result[k] = {formulations[k].name, formulations[k].formulation};
+      result[k] = {formulation_table[k].name, formulation_table[k].formulation};
     return result;
   }();
 };

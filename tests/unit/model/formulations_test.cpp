@@ -62,7 +62,7 @@ std::string formulation(const FormulationTraits& row) {
 }
 
 TEST(FormulationTable, SaysWhatIsBuilt) {
-  for (const FormulationTraits& row : formulations) {
+  for (const FormulationTraits& row : formulation_table) {
     SCOPED_TRACE(std::string(row.name));
     const Scene scene = strip(formulation(row));
     const auto disc = build<2>(scene);
@@ -121,7 +121,7 @@ void expect_copies_go_on_alike(const Scene& scene) {
 }
 
 TEST(State, IsAValue) {
-  for (const FormulationTraits& row : formulations) {
+  for (const FormulationTraits& row : formulation_table) {
     SCOPED_TRACE(std::string(row.name));
     expect_copies_go_on_alike<1>(bar(formulation(row)));
     expect_copies_go_on_alike<2>(strip(formulation(row)));
