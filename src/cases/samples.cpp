@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "tlsph/analysis/history.hpp"
+
 namespace tlsph {
 
 double reaches(const Samples& samples, double level) {

@@ -239,7 +239,7 @@ Balance<D> balance(const Instant<D>& now) {
     const Vector<D> p = m * velocity;
     Vector<D> x = disc.particles.X.row(q).transpose();
     if (!small) x += state.u.row(q).transpose();
-    result.small_strain_momentum += p;
+    result.linear_momentum += p;
     result.angular_momentum += cross<D>(x, p);
     result.momentum_scale += p.norm();
     result.angular_scale += x.norm() * p.norm();

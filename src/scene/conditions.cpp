@@ -1,7 +1,6 @@
 #include "tlsph/scene/conditions.hpp"
 
 #include <algorithm>
-#include <type_traits>
 
 #include "tlsph/geometry/region.hpp"
 
@@ -46,19 +45,8 @@ bool PatchConditions::has(Kind kind) const {
 }
 
 Curve tension(const Condition& load, double outward) {
-  Curve curve = *load.curve;
-  if (load.across || outward > 0.0) return curve;
-  std::visit(
-      [](auto& form) {
-        if constexpr (std::is_same_v<std::decay_t<decltype(form)>, TableCurve>) {
-          for (double& v : form.value) v = -v;
-          for (double& v : form.curvature) v = -v;
-        } else {
-          form.amplitude = -form.amplitude;
-        }
-      },
-      curve);
-  return curve;
+  if (load.across || outward > 0.0) return *load.curve;
+  return GivenCurve{[curve = *load.curve](double t) { return -value(curve, t); }};
 }
 
 }  // namespace tlsph

@@ -52,8 +52,8 @@ struct TableCurve {
 /// are joined by a line.
 [[nodiscard]] TableCurve cubic_spline(TableCurve table);
 
-/// Whichever functions of t ≥ 0 a caller brings. Loads ask for the value only, moved boundaries for
-/// the rate too, exact solutions for the integral; what nobody asks for may be left empty.
+/// Functions of t ≥ 0 that a caller supplies. Loads need the value only, moved boundaries the rate
+/// too, exact solutions the integral; what is not needed may be left empty.
 struct GivenCurve {
   std::function<double(double)> value;
   std::function<double(double)> rate = {};      ///< d(value)/dt
