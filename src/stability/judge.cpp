@@ -112,7 +112,8 @@ double FirstVibration::of(const StateKey& key, Support support) {
   StateKey reference = key;
   reference.jitter = 0.0;
   reference.stretch = 1.0;
-  reference.method = {"reference", Formulation::stress_point};
+  reference.method = {};
+  reference.method.name = "reference";
   // A strip of particles in the middle of cells is as thick as one of a cell more on the boundary.
   if (key.strip > 0 && key.method.cell_centred) ++reference.strip;
   const auto find = [&]<int D>() {
