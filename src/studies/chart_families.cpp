@@ -100,12 +100,10 @@ ChartFamily family_of(const Choices& choices, std::size_t kernel, std::size_t su
 
 }  // namespace
 
-std::vector<ChartFamily> chart_families(int dimension,
-                                        const std::vector<std::string>& wanted) {
+std::vector<ChartFamily> chart_families(int dimension, const std::vector<std::string>& wanted) {
   std::vector<ChartFamily> families;
   for (const Choices& choices : choices_in(dimension)) {
-    if (!wanted.empty() &&
-        std::ranges::find(wanted, name_of(choices.formulation)) == wanted.end())
+    if (!wanted.empty() && std::ranges::find(wanted, name_of(choices.formulation)) == wanted.end())
       continue;
     for (std::size_t kernel = 0; kernel < choices.kernels.size(); ++kernel)
       for (std::size_t support = 0; support < choices.supports.size(); ++support)

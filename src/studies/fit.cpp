@@ -10,6 +10,7 @@
 #include "fit_plan.hpp"
 #include "tlsph/analysis/not_known.hpp"
 #include "tlsph/core/error.hpp"
+#include "tlsph/core/stop.hpp"
 #include "tlsph/core/stopwatch.hpp"
 #include "tlsph/io/files.hpp"
 #include "tlsph/io/new_files.hpp"
@@ -43,6 +44,7 @@ class FitStudy {
     table_.reductions = plan.reductions;
     table_.answer = not_known;
     make_output_directory(options.out);
+    may_end_at_once() = false;  // from now on an interrupted fit writes what it has found
   }
 
   FitTable run() {

@@ -79,7 +79,7 @@ class Fits(FitTest):
     def test_interrupt_keeps_what_is_done(self):
         beam = SOURCE / "examples/clamped_beam.toml"
         process = self.start("fit", beam, "--error", "1e-6", "--value", PERIOD, "--out", "study", "--quiet")
-        self.wait_for((self.folder / "study/run").is_dir, process)
+        self.wait_for((self.folder / "study").is_dir, process)
 
         process.send_signal(signal.SIGINT)
 
