@@ -210,7 +210,7 @@ TEST(Memory, IsKeptByCheckpoints) {
 formulation = "variational"
 [body]
 shape = {{ box = [[0.0, 0.0], [0.2, 0.1]] }}
-spacing = 0.02
+spacing = 0.005
 [[boundary]]
 where = "left"
 fixed = true
