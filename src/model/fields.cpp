@@ -1,10 +1,15 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "parts.hpp"
+#include "tlsph/dynamics/state.hpp"
 #include "tlsph/exact/bar_wave.hpp"
 #include "tlsph/exact/named_fields.hpp"
 #include "tlsph/exact/swinging_plate.hpp"
 #include "tlsph/exact/uniform_stretch.hpp"
 #include "tlsph/geometry/region.hpp"
-#include "tlsph/model/builder.hpp"
+#include "tlsph/scene/names.hpp"
 
 namespace tlsph {
 namespace {
@@ -33,40 +38,103 @@ template <int D>
 VectorField<D> initial_field(const Scene& scene, const InitialField& field,
                              const Particles<D>& particles) {
   VectorField<D> result = VectorField<D>::Zero(particles.size(), D);
-  const Box<D> box = body_box<D>(scene);
-  switch (field.kind) {
-    case InitialField::Kind::zero:
-      break;
-    case InitialField::Kind::linear:
-      for (Index q = 0; q < particles.size(); ++q)
-        for (std::size_t i = 0; i < D; ++i) {
-          double value = field.constant.empty() ? 0.0 : field.constant[i];
-          for (std::size_t a = 0; a < D && !field.gradient.empty(); ++a)
-            value += field.gradient[i][a] * particles.X(q, static_cast<Index>(a));
-          result(q, static_cast<Index>(i)) = value;
-        }
-      break;
-    case InitialField::Kind::swinging_plate:
-      if constexpr (D == 2) {
-        const auto exact = swinging_plate(plate_of(scene, field.amplitude));
-        for (Index q = 0; q < particles.size(); ++q)
-          result.row(q) = exact.displacement(particles.X.row(q).transpose(), 0.0).transpose();
-      } else {
-        throw InputError(field.place, "\"swinging-plate\" is a field of two dimensions");
+  const auto fill = [&](const auto& value_at) {
+    for (Index q = 0; q < particles.size(); ++q)
+      result.row(q) = value_at(Vector<D>(particles.X.row(q).transpose())).transpose();
+    return result;
+  };
+  if (field.kind == InitialField::Kind::zero) return result;
+  if (field.kind == InitialField::Kind::linear)
+    return fill([&](const Vector<D>& X) {
+      Vector<D> u = Vector<D>::Zero();
+      for (std::size_t i = 0; i < D; ++i) {
+        double& value = u[static_cast<Index>(i)];
+        if (!field.constant.empty()) value = field.constant[i];
+        for (std::size_t a = 0; a < D && !field.gradient.empty(); ++a)
+          value += field.gradient[i][a] * X[static_cast<Index>(a)];
       }
-      break;
-    case InitialField::Kind::cantilever_mode:
-      if constexpr (D == 2) {
-        const double length = box.upper[0] - box.lower[0];
-        for (Index q = 0; q < particles.size(); ++q)
-          result(q, 1) =
-              field.amplitude * cantilever_mode((particles.X(q, 0) - box.lower[0]) / length);
-      } else {
-        throw InputError(field.place, "\"cantilever-mode\" is a field of two dimensions");
-      }
-      break;
+      return u;
+    });
+  if constexpr (D == 2) {
+    if (field.kind == InitialField::Kind::swinging_plate)
+      return fill([exact = swinging_plate(plate_of(scene, field.amplitude))](const Vector<2>& X) {
+        return exact.displacement(X, 0.0);
+      });
+    const Box<2> box = body_box<2>(scene);
+    return fill([&](const Vector<2>& X) {
+      const double along = (X[0] - box.lower[0]) / (box.upper[0] - box.lower[0]);
+      return Vector<2>(0.0, field.amplitude * cantilever_mode(along));
+    });
   }
-  return result;
+  const bool plate = field.kind == InitialField::Kind::swinging_plate;
+  throw InputError(field.place, fmt::format("\"{}\" is a field of two dimensions",
+                                            plate ? "swinging-plate" : "cantilever-mode"));
+}
+
+/// Forces below this share of |P₀| Δ^(d−1) are round-off, or what a fit to boundaries leaves.
+constexpr double negligible = 1e-6;
+
+/// Largest entry at a degree of freedom that is free to follow it, and its node.
+template <int D>
+std::pair<double, Index> largest_free(const Discretisation<D>& disc, const VectorField<D>& force) {
+  std::pair<double, Index> largest{0.0, 0};
+  for (Index dof = 0; dof < force.size(); ++dof)
+    if (disc.inverse_mass.data()[dof] != 0.0 && std::abs(force.data()[dof]) > largest.first)
+      largest = {std::abs(force.data()[dof]), dof / D};
+  return largest;
+}
+
+/// What the loads leave of P₀ N at the boundary, as a force on each node.
+template <int D>
+VectorField<D> boundary_residual(const Discretisation<D>& disc, const Tensor<D>& P0) {
+  VectorField<D> residual = -disc.particles.B * P0.transpose();
+  for (const Load& load : disc.loads) {
+    const double pressure = value(load.curve, 0.0);
+    for (std::size_t k = 0; k < load.dof.size(); ++k)
+      residual.data()[load.dof[k]] += pressure * load.weight[k];
+  }
+  return residual;
+}
+
+/// InputError for a body that starts under a uniform stress which its supports and loads balance,
+/// while its operators do not: near boundaries the adjoint of a corrected gradient breaks the
+/// divergence theorem, and what a run would show is the energy of that. `displacement` is the
+/// initial one of the whole body, before any region of it.
+template <int D>
+void refuse_imbalance(const Scene& scene, const Discretisation<D>& disc,
+                      const VectorField<D>& displacement) {
+  const InitialField& field = scene.displacement;
+  if (field.kind != InitialField::Kind::linear || field.gradient.empty() || !disc.adjoint ||
+      disc.regions.size() > 1 || disc.has_body_force())
+    return;
+  Tensor<D> H0;
+  for (int i = 0; i < D; ++i)
+    for (int a = 0; a < D; ++a)
+      H0(i, a) = field.gradient[static_cast<std::size_t>(i)][static_cast<std::size_t>(a)];
+  const Tensor<D> P0 = pk1<D>(disc.regions.front().law, H0);
+  const double scale = P0.norm() * std::pow(disc.spacing, D - 1);
+  if (!(scale > 0.0)) return;
+
+  State<D> state = make_state<D>(disc, displacement, VectorField<D>::Zero(disc.nodes(), D));
+  // Supports that start elsewhere, or boundaries whose stress nothing balances, are meant to move.
+  if ((state.u - displacement).cwiseAbs().maxCoeff() > 1e-9 * H0.norm() * disc.spacing) return;
+  if (largest_free<D>(disc, boundary_residual<D>(disc, P0)).first > negligible * scale) return;
+
+  evaluate<D>(disc, state);
+  const auto [force, node] = largest_free<D>(disc, state.f);
+  if (force <= negligible * scale) return;
+  std::string at;
+  for (int a = 0; a < D; ++a)
+    at += fmt::format("{}{:.6g}", a == 0 ? "" : ", ", disc.particles.X(node, a));
+  throw InputError(
+      field.place,
+      fmt::format("a body stretched like this and held or loaded at its boundary is in "
+                  "equilibrium, but not as {} sees it: its gradients near the boundary leave a "
+                  "force of {:.2g} times the stress on the particle at ({}); hold layers at least "
+                  "{:.3g} spacings thick, twice the support, on a regular lattice ([[body.tags]] "
+                  "and held = true), or use stress-point with the nodes of each cell",
+                  name_of(scene.formulation), force / scale, at,
+                  2.0 * scene.kernel.support.value_or(1.0)));
 }
 
 /// The fields of the regions in place of those of the whole body.
@@ -135,7 +203,7 @@ template <int D>
 InitialState<D> build_initial(const Scene& scene, const Discretisation<D>& disc) {
   InitialState<D> initial{initial_field<D>(scene, scene.displacement, disc.particles),
                           initial_field<D>(scene, scene.velocity, disc.particles)};
-  parts::refuse_imbalance<D>(scene, disc, initial.displacement);
+  refuse_imbalance<D>(scene, disc, initial.displacement);
   start_regions<D>(scene, disc.particles, initial);
   return initial;
 }

@@ -23,14 +23,6 @@ template <int D>
 template <int D>
 void add_stabiliser(const Scene& scene, Discretisation<D>& disc);
 
-/// InputError for a body that starts under a uniform stress which its supports and loads balance,
-/// while its operators do not: near boundaries the adjoint of a corrected gradient breaks the
-/// divergence theorem, and what a run would show is the energy of that. `displacement` is the
-/// initial one of the whole body, before any region of it.
-template <int D>
-void refuse_imbalance(const Scene& scene, const Discretisation<D>& disc,
-                      const VectorField<D>& displacement);
-
 /// The material entry that rules at X: the last one whose box holds it, else the first, which has
 /// no box.
 template <int D>

@@ -142,7 +142,7 @@ void export_in(const Scene& scene, const std::filesystem::path& directory) {
   const auto disc = build<D>(scene);
   may_end_at_once() = false;
   make_output_directory(directory);
-  std::vector<std::int64_t> tags(static_cast<std::size_t>(disc.nodes()), 0);
+  auto [tags, patches] = patch_tags<D>(disc.particles);
   VectorField<D> X = disc.particles.X;
   ScalarField V = disc.particles.V;
   if (disc.ghosts) {
@@ -151,12 +151,7 @@ void export_in(const Scene& scene, const std::filesystem::path& directory) {
     V = ScalarField::Constant(X.rows(), disc.particles.spacings.prod());
     tags.resize(static_cast<std::size_t>(X.rows()), std::int64_t{1} << 62);
   }
-  CloudView particles{D, flat(X), flat(V), tags, {}};
-  for (std::size_t bit = 0; bit < disc.particles.patches.size() && bit < 62; ++bit) {
-    particles.patches.push_back(disc.particles.patches[bit].name);
-    for (const int node : disc.particles.patches[bit].nodes)
-      tags[static_cast<std::size_t>(node)] |= std::int64_t{1} << bit;
-  }
+  const CloudView particles{D, flat(X), flat(V), tags, patches};
   // With ghosts, nodes are the material points of the strong form: one cloud, lattice volumes.
   Exporter out(directory, particles,
                disc.ghosts ? CloudView{D, flat(X), flat(V)}

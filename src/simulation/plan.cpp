@@ -3,10 +3,10 @@
 #include <cmath>
 #include <optional>
 
+#include "advice.hpp"
 #include "in_scene.hpp"
 #include "memory.hpp"
-#include "parts.hpp"
-#include "savings.hpp"
+#include "preflight.hpp"
 #include "tlsph/core/dimensions.hpp"
 #include "tlsph/linear/factor_cost.hpp"
 #include "tlsph/model/builder.hpp"
@@ -67,11 +67,11 @@ template <int D>
 Steps steps_of(const Scene& scene, const Discretisation<D>& disc, State<D>& state) {
   InitialState<D> initial = build_initial<D>(scene, disc);
   (void)build_exact<D>(scene, disc);
-  const std::vector<std::string> warnings = parts::start_jumps<D>(scene, disc, initial);
+  const std::vector<std::string> warnings = start_jumps<D>(scene, disc, initial);
   state = make_state<D>(disc, std::move(initial.displacement), std::move(initial.velocity));
   evaluate<D>(disc, state);
   const CriticalStep critical = critical_step<D>(disc, state);
-  const double dt = parts::checked_step(scene, critical);
+  const double dt = checked_step(scene, critical);
   Steps steps{"", critical.dt, std::ceil(scene.time.end / dt)};
   steps.text = fmt::format(
       "time step {:.4e} s (critical {:.4e} s = {:.3f} spacings/c_p), {:.0f} steps to "
@@ -100,8 +100,8 @@ double run_bytes(const Scene& scene, const Discretisation<D>& disc,
   const double follower = scene.time.step || disc.linear() ? 0.0 : 2.0 * 4.0 * D * D * points;
   // Tags, cells and positions of the nodes in space, when run.h5 is made; later a frame.
   const double start = nodes * (8.0 + 8.0 * 3.0 + 4.0) + points * 4.0 * (1 << D);
-  return std::max(setup, now + output_libraries + follower +
-                             std::max(start, savings::frame_bytes<D>(scene, disc)));
+  return std::max(setup,
+                  now + output_libraries + follower + std::max(start, frame_bytes<D>(scene, disc)));
 }
 
 /// What a named box holds.
@@ -182,16 +182,14 @@ std::string plan_in(const Scene& scene) {
                       disc.constraints.fixed.size() + disc.constraints.held.size(),
                       disc.constraints.moved.size(), disc.loads.size());
   for (const NamedBox& tag : scene.body.tags) text += tag_line<D>(tag, disc.particles);
-  for (const LoadedPatch& load : parts::loaded_patches<D>(scene, disc))
-    text += "  " + load.text() + "\n";
+  for (const LoadedPatch& load : loaded_patches<D>(scene, disc)) text += "  " + load.text() + "\n";
   if (correction) text += correction_line(scene, *correction, D);
   text += steps.text;
   text += fmt::format("memory about {:.3g} MB\n", 1e-6 * memory);
-  for (const std::string& warning : parts::warnings<D>(scene, disc))
-    text += "warning: " + warning + "\n";
-  const std::string spare = savings::of_reduction(scene, disc.nodes()) + savings::of_law(scene) +
-                            savings::of_support<D>(scene, disc, steps.critical) +
-                            savings::of_output<D>(scene, disc, steps.number);
+  for (const std::string& warning : warnings<D>(scene, disc)) text += "warning: " + warning + "\n";
+  const std::string spare = advise_reduction(scene, disc.nodes()) + advise_law(scene) +
+                            advise_support<D>(scene, disc, steps.critical) +
+                            advise_output<D>(scene, disc, steps.number);
   if (!spare.empty()) text += "it could do without\n" + spare;
   return text;
 }

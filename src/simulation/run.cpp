@@ -4,7 +4,7 @@
 
 #include "in_scene.hpp"
 #include "memory.hpp"
-#include "parts.hpp"
+#include "preflight.hpp"
 #include "run_loop.hpp"
 #include "tlsph/core/dimensions.hpp"
 #include "tlsph/core/free_cores.hpp"
@@ -36,8 +36,8 @@ void describe(const Scene& scene, const Discretisation<D>& disc, Summary& summar
   summary.particles = disc.nodes();
   summary.points = disc.points.size();
   summary.spacing = disc.spacing;
-  summary.loads = parts::loaded_patches<D>(scene, disc);
-  summary.warnings = parts::warnings<D>(scene, disc);
+  summary.loads = loaded_patches<D>(scene, disc);
+  summary.warnings = warnings<D>(scene, disc);
   const VectorOperator<D>& G = disc.ghosts ? disc.ghosts->plain_gradient() : disc.gradient;
   if (disc.ghosts) {
     summary.ghosts = disc.ghosts->lattice().ghosts();
@@ -49,46 +49,46 @@ void describe(const Scene& scene, const Discretisation<D>& disc, Summary& summar
 }
 
 template <int D>
-Summary run_in(const Scene& scene, const RunOptions& options) {
+void run_in(const Scene& scene, const RunOptions& options, Summary& summary) {
   const Stopwatch setup;
-  const ThreadCount threads(options.threads > 0 ? options.threads : omp_get_max_threads());
-  if (options.threads > 0)
-    set_blas_threads(options.threads);
-  else if (scene.consistency && !cores_are_free(omp_get_max_threads()))
-    set_blas_threads(1);
-  const auto disc = in_scene(scene, [&] { return build<D>(scene); });
-  if (options.threads == 0 && disc.nodes() < one_thread_below) omp_set_num_threads(1);
-  Summary summary;
-  describe<D>(scene, disc, summary);
+  const auto body = in_scene(scene, [&] { return build<D>(scene); });
+  if (options.threads == 0 && body.nodes() < one_thread_below) omp_set_num_threads(1);
+  describe<D>(scene, body, summary);
   summary.wall_setup = setup.seconds();
+  RunLoop<D> loop = in_scene(scene, [&] { return RunLoop<D>(scene, options, body, summary); });
   const auto write = [&] {
     summary.peak_memory_bytes = memory_status("VmHWM:");
     if (options.out.empty()) return;
     make_output_directory(options.out);
     write_text_file(options.out / "summary.json", summary.json());
   };
-  RunLoop<D> loop = in_scene(scene, [&] { return RunLoop<D>(scene, options, disc); });
-  if (options.threads == 0 && disc.nodes() < one_thread_below) omp_set_num_threads(1);
   try {
-    loop.run(summary);
+    in_scene(scene, [&] { loop.start(); });
+    loop.open_files();
+    loop.run();
   } catch (const NumericalError&) {
     write();
     throw;
   }
   write();
-  return summary;
 }
 
 }  // namespace
 
 Summary run(const Scene& scene, const RunOptions& options) {
+  const ThreadCount threads(options.threads > 0 ? options.threads : omp_get_max_threads());
+  if (options.threads > 0)
+    set_blas_threads(options.threads);
+  else if (scene.consistency && !cores_are_free(omp_get_max_threads()))
+    set_blas_threads(1);
+  Summary summary;
   try {
-    return in_dimension(scene.dimension, [&]<int D>() { return run_in<D>(scene, options); });
+    in_dimension(scene.dimension, [&]<int D>() { run_in<D>(scene, options, summary); });
   } catch (const Stopped&) {  // in the set-up
-    Summary summary;
+    summary = {};
     summary.interrupted = true;
-    return summary;
   }
+  return summary;
 }
 
 std::filesystem::path default_output(const Scene& scene) {

@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "in_scene.hpp"
-#include "parts.hpp"
+#include "preflight.hpp"
 #include "tlsph/core/stop.hpp"
 #include "tlsph/core/stopwatch.hpp"
 #include "tlsph/observe/errors.hpp"
@@ -35,10 +34,12 @@ std::vector<ProbeRequest<D>> probe_requests(const Scene& scene) {
 }  // namespace
 
 template <int D>
-RunLoop<D>::RunLoop(const Scene& scene, const RunOptions& options, const Discretisation<D>& body)
+RunLoop<D>::RunLoop(const Scene& scene, const RunOptions& options, const Discretisation<D>& body,
+                    Summary& summary)
     : scene_(scene),
       options_(options),
       body_(body),
+      summary_(summary),
       exact_(build_exact<D>(scene, body)),
       probes_(body, probe_requests<D>(scene)),
       recorded_{
@@ -50,10 +51,11 @@ RunLoop<D>::RunLoop(const Scene& scene, const RunOptions& options, const Discret
 }
 
 template <int D>
-void RunLoop<D>::start(Summary& summary) {
+void RunLoop<D>::start() {
+  const Stopwatch watch;
   InitialState<D> initial = build_initial<D>(scene_, body_);
-  for (std::string& warning : parts::start_jumps<D>(scene_, body_, initial))
-    summary.warnings.push_back(std::move(warning));
+  for (std::string& warning : start_jumps<D>(scene_, body_, initial))
+    summary_.warnings.push_back(std::move(warning));
   stepper_.emplace(body_, std::move(initial.displacement), std::move(initial.velocity),
                    StepperOptions<D>{.end = scene_.time.end,
                                      .safety = scene_.time.safety,
@@ -61,87 +63,84 @@ void RunLoop<D>::start(Summary& summary) {
                                      .single_weights = scene_.precision == Precision::mixed,
                                      .energy_tolerance = scene_.time.energy_tolerance});
   const CriticalStep& critical = stepper_->critical();
-  parts::checked_step(scene_, critical);
+  checked_step(scene_, critical);
   stop_point();
   stepper_->start(options_.resume);
   stepper_->set_balance_every(
       scene_.output.energy_every > 0
           ? scene_.output.energy_every
           : std::max(fewest_steps_between, stepper_->steps() / default_balance_rows));
-  summary.dt = stepper_->dt();
-  summary.dt_critical = critical.dt;
-  summary.dt_critical_scaled = critical.scaled;
-  summary.growth_rate = critical.growth;
-  summary.threads = stepper_->threads();
-  if (stepper_->sweep() == nullptr) return;
-  summary.storage = stepper_->sweep()->storage();
-  if (!probes_.columns().empty()) probed_.emplace(body_, probes_.nodes(), probes_.points());
+  summary_.dt = stepper_->dt();
+  summary_.dt_critical = critical.dt;
+  summary_.dt_critical_scaled = critical.scaled;
+  summary_.growth_rate = critical.growth;
+  summary_.threads = stepper_->threads();
+  if (stepper_->sweep() != nullptr) {
+    summary_.storage = stepper_->sweep()->storage();
+    if (!probes_.columns().empty()) probed_.emplace(body_, probes_.nodes(), probes_.points());
+  }
+  summary_.wall_setup += watch.seconds();
 }
 
 template <int D>
-void RunLoop<D>::run(Summary& summary) {
-  const Stopwatch setup;
-  in_scene(scene_, [&] { start(summary); });
+void RunLoop<D>::open_files() {
+  const Stopwatch watch;
   may_end_at_once() = false;
   if (options_.resume) {
     resume_from(read_checkpoint(options_.out / "checkpoint.h5"));
-  } else {
-    if (!options_.out.empty())
-      output_.emplace(options_.out, scene_, body_, recorded_, std::nullopt);
+  } else if (!options_.out.empty()) {
+    output_.emplace(options_.out, scene_, body_, recorded_, std::nullopt);
     save_checkpoint();
   }
-  summary.wall_setup += setup.seconds();
-
-  const Stopwatch loop;
-  const double output_before = output_seconds_;
-  const long first_step = state().step;
-  const auto close = [&] {
-    summary.wall_output = output_seconds_ + stepper_->observing_seconds();
-    summary.wall_stepping = loop.seconds() - (summary.wall_output - output_before);
-    finish(summary);
-    const auto done = static_cast<double>(state().step - first_step);
-    if (done > 0)
-      summary.ns_per_particle_step =
-          summary.wall_stepping * 1e9 / done / static_cast<double>(body_.nodes());
-  };
-  try {
-    make_steps(summary);
-  } catch (const NumericalError& failure) {
-    summary.failure = failure.what();
-    if (const auto& lost = stepper_->hyperbolicity_lost())
-      summary.failure += "; before that, " + lost->text();
-    keep_last_good_state();
-    close();
-    throw NumericalError(summary.failure, failure.time(), failure.particle());
-  }
-  if (exact_.displacement && !summary.interrupted) {
-    const Stopwatch watch;
-    const RelativeErrors errors = errors_against<D>(exact_, stepper_->instant());
-    summary.errors = FieldErrors{errors.displacement, errors.velocity, errors.stress};
-    output_seconds_ += watch.seconds();
-  }
-  close();
+  summary_.wall_setup += watch.seconds();
 }
 
 template <int D>
-void RunLoop<D>::make_steps(Summary& summary) {
-  while (true) {
-    stepper_->prepare(frame_due());
-    if (probed_ && probes_due()) stepper_->evaluate(*probed_);
-    observe();
-    if (stepper_->done()) return;
-    stepper_->step();
-    keep_probes();
-    // A checkpoint holds a state that is not observed yet: the loop, or a resumed one, does that
-    // next.
-    if (options_.stop_requested != nullptr && *options_.stop_requested) {
-      summary.interrupted = true;
-      save_checkpoint();
+void RunLoop<D>::run() {
+  const Stopwatch watch;
+  const double output_before = output_seconds_;
+  const long first_step = state().step;
+  std::optional<NumericalError> failure;
+  try {
+    while (true) {
+      stepper_->prepare(frame_due());
+      if (probed_ && probes_due()) stepper_->evaluate(*probed_);
+      observe();
+      if (stepper_->done()) break;
+      stepper_->step();
+      keep_probes();
+      // A checkpoint holds a state that is not observed yet: the loop, or a resumed one, does that
+      // next.
+      summary_.interrupted = options_.stop_requested != nullptr && *options_.stop_requested;
+      if (summary_.interrupted || checkpoint_due()) save_checkpoint();
+      if (!summary_.interrupted) continue;
       stepper_->evaluate();
-      return;
+      break;
     }
-    if (checkpoint_due()) save_checkpoint();
+    if (exact_.displacement && !summary_.interrupted) measure_errors();
+  } catch (const NumericalError& error) {
+    summary_.failure = error.what();
+    if (const auto& lost = stepper_->hyperbolicity_lost())
+      summary_.failure += "; before that, " + lost->text();
+    keep_last_good_state();
+    failure.emplace(summary_.failure, error.time(), error.particle());
   }
+  summary_.wall_output = output_seconds_ + stepper_->observing_seconds();
+  summary_.wall_stepping = watch.seconds() - (summary_.wall_output - output_before);
+  finish();
+  const auto done = static_cast<double>(state().step - first_step);
+  if (done > 0)
+    summary_.ns_per_particle_step =
+        summary_.wall_stepping * 1e9 / done / static_cast<double>(body_.nodes());
+  if (failure) throw std::move(*failure);
+}
+
+template <int D>
+void RunLoop<D>::measure_errors() {
+  const Stopwatch watch;
+  const RelativeErrors errors = errors_against<D>(exact_, stepper_->instant());
+  summary_.errors = FieldErrors{errors.displacement, errors.velocity, errors.stress};
+  output_seconds_ += watch.seconds();
 }
 
 template <int D>
@@ -238,22 +237,22 @@ void RunLoop<D>::keep_last_good_state() {
 }
 
 template <int D>
-void RunLoop<D>::finish(Summary& summary) {
+void RunLoop<D>::finish() {
   const Balance<D> now = balance<D>(stepper_->instant());
   if (output_) {
     const Stopwatch watch;
     output_->flush();
-    summary.wall_output += watch.seconds();
+    summary_.wall_output += watch.seconds();
   }
   const WorkAndImpulse<D>& work = stepper_->work();
   const BalanceMonitor<D>& monitor = stepper_->balance();
-  summary.hyperbolicity_lost = stepper_->hyperbolicity_lost();
-  summary.steps = state().step;
-  summary.end_time = state().time;
-  summary.energy = {now.kinetic, now.elastic, work.external_work + now.gravity,
-                    work.dissipated + now.dissipated, monitor.energy_drift()};
-  summary.linear_momentum_drift = monitor.linear_momentum_drift();
-  summary.angular_momentum_drift = monitor.angular_momentum_drift();
+  summary_.hyperbolicity_lost = stepper_->hyperbolicity_lost();
+  summary_.steps = state().step;
+  summary_.end_time = state().time;
+  summary_.energy = {now.kinetic, now.elastic, work.external_work + now.gravity,
+                     work.dissipated + now.dissipated, monitor.energy_drift()};
+  summary_.linear_momentum_drift = monitor.linear_momentum_drift();
+  summary_.angular_momentum_drift = monitor.angular_momentum_drift();
 }
 
 template class RunLoop<1>;

@@ -18,15 +18,19 @@ namespace tlsph {
 template <int D>
 class RunLoop {
  public:
-  RunLoop(const Scene& scene, const RunOptions& options, const Discretisation<D>& discretisation);
+  /// All arguments outlive the loop, which fills what it knows of `summary`.
+  RunLoop(const Scene& scene, const RunOptions& options, const Discretisation<D>& body,
+          Summary& summary);
 
-  /// Steps to the end, or to the step after a stop was asked for. Fills what the loop knows of
-  /// `summary`. NumericalError leaves the last good state as a frame.
-  void run(Summary& summary);
+  /// The initial state and its time step.
+  void start();
+  /// New files, or those of the run that goes on, with its state.
+  void open_files();
+  /// Steps to the end, or to the step after a stop was asked for. NumericalError leaves the last
+  /// good state as a frame.
+  void run();
 
  private:
-  void start(Summary& summary);
-  void make_steps(Summary& summary);
   /// Calls `visit(name, value)` for all that a checkpoint holds of the run, its fields included.
   template <class Visit>
   void visit(const Visit& visit);
@@ -41,13 +45,15 @@ class RunLoop {
   void keep_last_good_state();
   [[nodiscard]] bool checkpoint_due() const;
   void report_progress();
-  void finish(Summary& summary);
+  void finish();
+  void measure_errors();
   [[nodiscard]] double frame_time() const;
   [[nodiscard]] const State<D>& state() const { return stepper_->state(); }
 
   const Scene& scene_;
   const RunOptions& options_;
   const Discretisation<D>& body_;
+  Summary& summary_;
   const int threads_ = omp_get_max_threads();  ///< of the set-up; a small body steps on one
   ExactSolution<D> exact_;
   Probes<D> probes_;

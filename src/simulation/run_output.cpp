@@ -16,6 +16,20 @@ const std::filesystem::path& prepared(const std::filesystem::path& directory) {
   return directory;
 }
 
+/// Columns of a series in run.h5, in the order of `RunLoop::write_series`.
+template <int D>
+std::vector<SeriesQuantity> series_layout() {
+  const std::string per = "/m^" + std::to_string(3 - D),
+                    per_length = " per m^" + std::to_string(3 - D);
+  return {{"kinetic", 1, "J" + per},
+          {"elastic", 1, "J" + per},
+          {"external_work", 1, "J" + per},
+          {"dissipated", 1, "J" + per},
+          {"linear_momentum", D, "kg m/s" + per_length},
+          {"angular_momentum", 1, "kg m^2/s" + per_length},
+          {"dt", 1, "s"}};
+}
+
 template <int D>
 RunLayout layout_of(const Scene& scene, const Discretisation<D>& disc) {
   RunLayout layout;
@@ -34,21 +48,11 @@ RunLayout layout_of(const Scene& scene, const Discretisation<D>& disc) {
   return layout;
 }
 
-/// Their nodes, cell by cell.
-template <int D>
-std::vector<std::int32_t> corners(const std::vector<Cell<D>>& cells) {
+/// The nodes of cells or triangles, one after the other.
+template <class Corners>
+std::vector<std::int32_t> corners(const std::vector<Corners>& elements) {
   std::vector<std::int32_t> nodes;
-  nodes.reserve(cells.size() << D);
-  for (const Cell<D>& cell : cells) nodes.insert(nodes.end(), cell.begin(), cell.end());
-  return nodes;
-}
-
-/// Their nodes, three a triangle.
-std::vector<std::int32_t> corners(const std::vector<Triangle>& triangles) {
-  std::vector<std::int32_t> nodes;
-  nodes.reserve(3 * triangles.size());
-  for (const Triangle& triangle : triangles)
-    nodes.insert(nodes.end(), triangle.begin(), triangle.end());
+  for (const Corners& element : elements) nodes.insert(nodes.end(), element.begin(), element.end());
   return nodes;
 }
 
@@ -63,40 +67,24 @@ std::vector<std::int32_t> edges(const std::vector<Triangle>& triangles) {
 }  // namespace
 
 template <int D>
-std::vector<SeriesQuantity> series_layout() {
-  return {{"kinetic", 1, "J/m^" + std::to_string(3 - D)},
-          {"elastic", 1, "J/m^" + std::to_string(3 - D)},
-          {"external_work", 1, "J/m^" + std::to_string(3 - D)},
-          {"dissipated", 1, "J/m^" + std::to_string(3 - D)},
-          {"linear_momentum", D, "kg m/s per m^" + std::to_string(3 - D)},
-          {"angular_momentum", 1, "kg m^2/s per m^" + std::to_string(3 - D)},
-          {"dt", 1, "s"}};
-}
-
-template <int D>
 RunOutput<D>::RunOutput(const std::filesystem::path& directory, const Scene& scene,
                         const Discretisation<D>& disc, const ProbeHistories& probes,
                         const std::optional<OutputCounts>& resumed)
     : directory_(directory), layout_(layout_of<D>(scene, disc)), lock_(prepared(directory)) {
-  std::vector<std::int64_t> tags(static_cast<std::size_t>(disc.nodes()), 0);
+  const PatchTags tags = patch_tags<D>(disc.particles);
   RunStart start;
   start.scene_file = scene.file;
   start.scene_text = scene.text;
   start.version = version();
-  start.particles = {D, flat(disc.particles.X), flat(disc.particles.V), tags, {}};
+  start.particles = {D, flat(disc.particles.X), flat(disc.particles.V), tags.bits, tags.names};
   start.points = {D, flat(disc.points.X), flat(disc.points.V)};
   std::vector<std::int32_t> cells;
-  if (layout_.points_are_cells) start.cells = cells = corners<D>(disc.particles.cells);
+  if (layout_.points_are_cells) start.cells = cells = corners(disc.particles.cells);
   const std::vector<std::int32_t> surface = corners(disc.particles.triangles);
   start.triangles = surface;
   start.line = disc.particles.line;
   std::vector<std::int32_t> sides;
   if (!layout_.points_are_nodes) start.edges = sides = edges(disc.particles.triangles);
-  for (std::size_t bit = 0; bit < disc.particles.patches.size() && bit < 63; ++bit) {
-    start.particles.patches.push_back(disc.particles.patches[bit].name);
-    for (const int node : disc.particles.patches[bit].nodes)
-      tags[static_cast<std::size_t>(node)] |= std::int64_t{1} << bit;
-  }
   const auto with_time = [](const std::vector<std::string>& names) {
     std::vector<std::string> columns = {"time"};
     columns.insert(columns.end(), names.begin(), names.end());
@@ -167,7 +155,5 @@ OutputCounts RunOutput<D>::counts() const {
 
 template class RunOutput<1>;
 template class RunOutput<2>;
-template std::vector<SeriesQuantity> series_layout<1>();
-template std::vector<SeriesQuantity> series_layout<2>();
 
 }  // namespace tlsph

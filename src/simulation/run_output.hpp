@@ -65,8 +65,4 @@ class RunOutput {
   std::map<std::string, std::vector<double>> scratch_;
 };
 
-/// Series columns of run.h5, in the order in which the run hands them over.
-template <int D>
-[[nodiscard]] std::vector<SeriesQuantity> series_layout();
-
 }  // namespace tlsph

@@ -7,27 +7,20 @@
 #include "tlsph/formulations/discretisation.hpp"
 #include "tlsph/scene/scene.hpp"
 
-namespace tlsph::savings {
+namespace tlsph {
 
 /// A dimension nothing depends on; else a plane of symmetry that is not used. `particles` of the
 /// scene as it is.
-[[nodiscard]] std::string of_reduction(const Scene& scene, Index particles);
-
-/// The largest strain or rotation the scene can be expected to cause, an estimate on the safe side
-/// from its loads, its prescribed motions and its start: of a slender body as if it bent.
-[[nodiscard]] double strain_estimate(const Scene& scene);
-
-/// Laws differ by about three times the strain: below this, by less than a run resolves.
-inline constexpr double small_strain = 1e-4;
+[[nodiscard]] std::string advise_reduction(const Scene& scene, Index particles);
 
 /// A nonlinear law at strains at which it is linear, where a linear one makes steps faster.
-[[nodiscard]] std::string of_law(const Scene& scene);
+[[nodiscard]] std::string advise_law(const Scene& scene);
 
 /// Frames that take longer than a quarter of the steps; stress in frames that no probe and no exact
 /// solution asks for. `steps` 0: not known.
 template <int D>
-[[nodiscard]] std::string of_output(const Scene& scene, const Discretisation<D>& disc,
-                                    double steps);
+[[nodiscard]] std::string advise_output(const Scene& scene, const Discretisation<D>& disc,
+                                        double steps);
 
 /// Bytes of the fields of a frame.
 template <int D>
@@ -35,6 +28,7 @@ template <int D>
 
 /// A support above the one its formulation needs. `dt` is the critical step of the scene [s].
 template <int D>
-[[nodiscard]] std::string of_support(const Scene& scene, const Discretisation<D>& disc, double dt);
+[[nodiscard]] std::string advise_support(const Scene& scene, const Discretisation<D>& disc,
+                                         double dt);
 
-}  // namespace tlsph::savings
+}  // namespace tlsph

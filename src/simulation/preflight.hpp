@@ -1,12 +1,12 @@
 #pragma once
 /// \file
-/// What `plan` and `run` say and choose before the first step.
+/// What `plan` and `run` check and report before the first step.
 
 #include "tlsph/model/builder.hpp"
 #include "tlsph/simulation/summary.hpp"
 #include "tlsph/stepping/critical_step.hpp"
 
-namespace tlsph::parts {
+namespace tlsph {
 
 /// The loads of the scene's boundaries, in their order.
 template <int D>
@@ -29,4 +29,4 @@ template <int D>
 /// more steps than a run could make.
 double checked_step(const Scene& scene, const CriticalStep& critical);
 
-}  // namespace tlsph::parts
+}  // namespace tlsph

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "savings.hpp"
+#include "advice.hpp"
 #include "tlsph/core/dimensions.hpp"
 #include "tlsph/curves/curve.hpp"
 #include "tlsph/geometry/region.hpp"
@@ -14,12 +14,14 @@
 #include "tlsph/simulation/linear_law.hpp"
 #include "tlsph/simulation/reduction.hpp"
 
-namespace tlsph::savings {
+namespace tlsph {
 namespace {
 
 /// Loads that come suddenly strain twice as much as those that come slowly.
 constexpr double sudden = 2.0;
 constexpr int instants = 256;
+/// Laws differ by about three times the strain: below this, by less than a run resolves.
+constexpr double small_strain_limit = 1e-4;
 
 double largest(const Curve& curve, double end) {
   double most = 0.0;
@@ -73,8 +75,8 @@ double speed_of(const InitialField& field, const Size& size) {
   return most;
 }
 
-}  // namespace
-
+/// The largest strain or rotation the scene can be expected to cause, an estimate on the safe side
+/// from its loads, its prescribed motions and its start: of a slender body as if it bent.
 double strain_estimate(const Scene& scene) {
   const Size size = size_of(scene);
   const double ratio = size.bends ? size.slenderness : 1.0;
@@ -110,12 +112,14 @@ double strain_estimate(const Scene& scene) {
   return strain;
 }
 
-std::string of_law(const Scene& scene) {
+}  // namespace
+
+std::string advise_law(const Scene& scene) {
   const LawName law = scene.materials.front().law;
   // Gradients from two or four nodes leave the law a part of the step that shows.
   if (law == LawName::linear_elastic || scene.kernel.support) return "";
   const double strain = strain_estimate(scene);
-  if (!linear_law_serves(scene)) return "";
+  if (strain >= small_strain_limit) return "";
   const double share = scene.dimension == 1 ? 0.4 : 0.8;  // as runs of the examples show
   return fmt::format(
       "  {} at strains of at most about {:.1e}: law = \"linear-elastic\" differs by as little, at "
@@ -123,4 +127,15 @@ std::string of_law(const Scene& scene) {
       name_of(law), strain, share);
 }
 
-}  // namespace tlsph::savings
+std::vector<std::string> linear_law(const Scene& scene) {
+  const bool linear = std::ranges::all_of(scene.materials, [](const MaterialScene& material) {
+    return material.law == LawName::linear_elastic;
+  });
+  if (linear || scene.exact == ExactKind::uniform_stretch) return {};
+  std::vector<std::string> overrides = {"material.law=linear-elastic"};
+  for (std::size_t k = 1; k < scene.materials.size(); ++k)
+    overrides.push_back(fmt::format("material.region[{}].law=linear-elastic", k - 1));
+  return overrides;
+}
+
+}  // namespace tlsph
