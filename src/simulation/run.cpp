@@ -63,8 +63,6 @@ void run_in(const Scene& scene, const RunOptions& options, Summary& summary) {
     write_text_file(options.out / "summary.json", summary.json());
   };
   try {
-    in_scene(scene, [&] { loop.start(); });
-    loop.open_files();
     loop.run();
   } catch (const NumericalError&) {
     write();

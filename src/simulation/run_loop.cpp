@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "in_scene.hpp"
 #include "preflight.hpp"
 #include "tlsph/core/stop.hpp"
 #include "tlsph/core/stopwatch.hpp"
@@ -97,6 +98,8 @@ void RunLoop<D>::open_files() {
 
 template <int D>
 void RunLoop<D>::run() {
+  in_scene(scene_, [&] { start(); });
+  open_files();
   const Stopwatch watch;
   const double output_before = output_seconds_;
   const long first_step = state().step;

@@ -22,15 +22,13 @@ class RunLoop {
   RunLoop(const Scene& scene, const RunOptions& options, const Discretisation<D>& body,
           Summary& summary);
 
-  /// The initial state and its time step.
-  void start();
-  /// New files, or those of the run that goes on, with its state.
-  void open_files();
-  /// Steps to the end, or to the step after a stop was asked for. NumericalError leaves the last
-  /// good state as a frame.
+  /// From the initial state, or that of a checkpoint, to the end, or to the step after a stop was
+  /// asked for. NumericalError leaves the last good state as a frame.
   void run();
 
  private:
+  void start();
+  void open_files();
   /// Calls `visit(name, value)` for all that a checkpoint holds of the run, its fields included.
   template <class Visit>
   void visit(const Visit& visit);

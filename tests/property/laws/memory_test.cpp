@@ -240,9 +240,9 @@ checkpoint_steps = 7
     options.out = out;
     Summary whole, resumed;
 
-    RunLoop<2>(scene, options, disc).run(whole);
+    RunLoop<2>(scene, options, disc, whole).run();
     options.resume = true;
-    RunLoop<2>(scene, options, disc).run(resumed);
+    RunLoop<2>(scene, options, disc, resumed).run();
     fs::remove_all(out);
 
     ASSERT_GT(whole.steps, 8);

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "property/bodies.hpp"
+#include "tlsph/core/dimensions.hpp"
 #include "tlsph/io/hdf5.hpp"
 #include "tlsph/simulation/simulation.hpp"
 
@@ -79,6 +80,7 @@ fixed = true
       {"stress_point", sheet + rest_of_scene(0.12)},
       {"linear", sheet + rest_of_scene(0.12, "linear-elastic")},
       {"variational", "formulation = \"variational\"\n" + sheet + rest_of_scene(0.12)},
+      {"consistent", "formulation = \"consistent\"\n" + sheet + rest_of_scene(0.12)},
       {"damped", "formulation = \"variational\"\n" + sheet +
                      "[stabiliser]\nkind = \"pair\"\nas = \"viscosity\"\n" + rest_of_scene(0.12)},
       {"mirror", "dimension = 1\nformulation = \"mirror\"\n" + bar + rest_of_scene(0.03)},
@@ -172,6 +174,33 @@ TEST_P(Resume, OfAnotherSceneIsRefused) {
   EXPECT_THROW(
       run(read_scene_text(GetParam().text, GetParam().name, {"material.poisson=0.31"}), again),
       InputError);
+}
+
+/// Two steppers that go on from copies of one state, which the original's steps do not touch.
+TEST_P(Resume, CopiesOfAStateGoOnInTheSameBits) {
+  const Scene scene = Resume::scene();
+  in_dimension(scene.dimension, [&]<int D>() {
+    const Discretisation<D> body = build<D>(scene);
+    InitialState<D> initial = build_initial<D>(scene, body);
+    State<D> original = make_state<D>(body, initial.displacement, initial.velocity);
+    const auto march = [&](State<D>& state, int steps) {
+      constexpr double dt = 5e-5;
+      for (int n = 0; n < steps; ++n) {
+        evaluate<D>(body, state);
+        if (state.step == 0) start<D>(body, state, dt);
+        advance<D>(body, state, dt, static_cast<double>(state.step + 1) * dt);
+      }
+    };
+    march(original, 40);
+    State<D> copy = original;
+    march(original, 40);
+    ASSERT_EQ(copy.step, 40);
+    ASSERT_FALSE(copy.u.isApprox(original.u, 1e-9));
+    march(copy, 40);
+    EXPECT_TRUE((copy.u.array() == original.u.array()).all());
+    EXPECT_TRUE((copy.v.array() == original.v.array()).all());
+    EXPECT_TRUE((copy.P.array() == original.P.array()).all());
+  });
 }
 
 INSTANTIATE_TEST_SUITE_P(, Resume, testing::ValuesIn(cases()), ByName());
