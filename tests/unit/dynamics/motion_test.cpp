@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "tlsph/dynamics/displacement_motion.hpp"
+#include "unit/dynamics/displacement_motion.hpp"
 #include "tlsph/materials/kinematics.hpp"
 #include "unit/dynamics/bodies.hpp"
 
