@@ -9,8 +9,7 @@ namespace {
 
 /// The run with that row in it; runs are ascending and leave no row out.
 const RowRun& run_of(const std::vector<RowRun>& runs, Index row) {
-  return *(std::ranges::upper_bound(runs, row, {}, [](const RowRun& run) { return run.first; }) -
-           1);
+  return *(std::ranges::upper_bound(runs, row, {}, &RowRun::first) - 1);
 }
 
 Row<double> row_of(const RowStorage& rows, const RowWeights& table, const RowRun& run, Index row) {
@@ -23,7 +22,7 @@ class Composer {
  public:
   Composer(const Discretisation<D>& disc, const Storage<D>& storage,
            const std::vector<RegionLaw<D>>& laws, Index most_stencils)
-      : storage_(storage), nodes_(disc.nodes()), most_stencils_(most_stencils) {
+      : storage_(storage), most_stencils_(most_stencils) {
     for (const RegionLaw<D>& law : laws)
       tangents_.push_back(tangent<D>(law.law, Tensor<D>::Zero()));
     if (const std::vector<int> regions = regions_of_points(disc); !regions.empty())
@@ -57,8 +56,8 @@ class Composer {
       // A difference of a place that is loaded, and the acceleration to its window and back.
       result_.work += rows * (3.0 * entries + result_.mixed[s] + 3.0);
     }
-    result_.multiply_adds /= static_cast<double>(nodes_);
-    result_.work /= static_cast<double>(nodes_);
+    result_.multiply_adds /= static_cast<double>(storage_.inverse_mass.size());
+    result_.work /= static_cast<double>(storage_.inverse_mass.size());
     run_on();
     return std::move(result_);
   }
@@ -206,7 +205,6 @@ class Composer {
 
   const Storage<D>& storage_;
   std::vector<Tangent<D>> tangents_;  // of the regions
-  Index nodes_;
   Index most_stencils_;
   std::vector<RowRun> regions_;  // of points, by `stencil`; empty if there is one
   std::vector<int> signature_;

@@ -34,7 +34,7 @@ class StrainMonitor {
   /// max ‖U − U₀‖ ‖U⁻¹‖, the largest relative deformation of a point between two states.
   [[nodiscard]] double deformation(const State<D>& state, const StrainField& before);
   struct Change {
-    double stiffening = 0.0;   ///< max λ_max(A(U) − A(U₀)), at most that and at least zero [Pa]
+    double stiffening = 0.0;  ///< max λ_max(A(U) − A(U₀)), at most that and at least zero [Pa]
     double deformation = 0.0;  ///< as above
   };
   /// Both at once, A each at its own memory; the strains stored in `to`, which may be `before`.
