@@ -17,85 +17,77 @@ double cross(const Vector<D>& x, const Vector<D>& force) {
     return 0.0;
 }
 
-/// Work of a force, and its impulse about the origin, over parts of the half steps before and after
-/// t_n. `next(dof)` is v_{n+½}.
+/// Adds work and impulse of the forces of t_n over parts of the half steps before and after it.
+/// `kick`: the time that takes v_{n−½} to v_{n+½}, which is `next(dof)`.
 template <int D, class Next>
-class Adder {
- public:
-  Adder(const Discretisation<D>& disc, const BoundaryForces<D>& forces, double before, double after,
-        const Next& next)
-      : disc_(disc),
-        forces_(forces),
-        before_(before),
-        after_(after),
-        next_(next),
-        small_strain_(disc.small_strain()) {}
-
-  /// `kick`: the time that takes v_{n−½} to v_{n+½}.
-  void add_to(WorkAndImpulse<D>& sum, double kick) {
-    for (std::size_t l = 0; l < disc_.loads.size(); ++l)
-      for (std::size_t k = 0; k < disc_.loads[l].dof.size(); ++k)
-        move(disc_.loads[l].dof[k], forces_.loads[l][k],
-             forces_.load_values[l] * disc_.loads[l].weight[k]);
-    for (std::size_t k = 0; k < disc_.reactions.size(); ++k)
-      move(disc_.reactions[k].dof, forces_.reactions[k], forces_.reaction_values[k]);
-    add_constraints(kick);
-    const double time = 0.5 * (before_ + after_);
-    sum.external_work += 0.5 * work_;
-    for (int i = 0; i < D; ++i) sum.impulse[i] += time * impulse_[i];
-    sum.angular_impulse += time * angular_;
-    if (!disc_.has_body_force()) return;
-    sum.impulse += time * disc_.mass.sum() * disc_.body_force;
-    sum.angular_impulse += time * cross<D>(forces_.moment_of_mass, disc_.body_force);
-  }
-
- private:
-  /// Reactions of constraints from what their nodes lack to their accelerations; where those are
-  /// made of stresses, the inertia of moved nodes.
-  void add_constraints(double kick) {
-    const Constraints& constraints = disc_.constraints;
-    if (disc_.reactions.empty()) {
-      push_back(constraints.fixed, forces_.fixed);
-      push_back(constraints.held, forces_.held);
+void add(const Discretisation<D>& disc, const BoundaryForces<D>& forces, double before,
+         double after, double kick, const Next& next, WorkAndImpulse<D>& sum) {
+  double work = 0.0, angular = 0.0;
+  double impulse[D] = {};
+  const bool small_strain = disc.small_strain();
+  const auto push = [&](Index dof, Index slot, double force) {
+    impulse[dof % D] += force;
+    if constexpr (D == 2) {
+      // The arm about the origin, with positions of the reference configuration for linear
+      // elasticity, whose energy is not invariant under finite rotations.
+      double x = disc.particles.X.data()[dof ^ 1];
+      if (!small_strain) x += forces.u.data()[slot ^ 1];
+      angular += ((dof & 1) != 0 ? x : -x) * force;
     }
-    for (std::size_t k = 0; k < constraints.moved.size(); ++k) {
-      const Index dof = constraints.moved[k].dof;
-      const Index slot = forces_.moved[k];
-      const double change = next_(dof) - forces_.v.data()[slot];
-      const double lacking = disc_.reactions.empty() ? -forces_.f.data()[slot] : 0.0;
-      move(dof, slot, disc_.mass[dof / D] * change / kick + lacking);
-    }
-  }
-  /// Supports at rest: no work.
-  void push_back(const std::vector<Index>& dofs, const std::vector<Index>& slots) {
-    for (std::size_t k = 0; k < dofs.size(); ++k)
-      push(dofs[k], slots[k], -forces_.f.data()[slots[k]]);
-  }
-  void move(Index dof, Index slot, double force) {
-    work_ += force * (before_ * forces_.v.data()[slot] + after_ * next_(dof));
+  };
+  const auto move = [&](Index dof, Index slot, double force) {
+    work += force * (before * forces.v.data()[slot] + after * next(dof));
     push(dof, slot, force);
+  };
+  // Supports at rest do no work.
+  const auto push_back = [&](const std::vector<Index>& dofs, const std::vector<Index>& slots) {
+    for (std::size_t k = 0; k < dofs.size(); ++k)
+      push(dofs[k], slots[k], -forces.f.data()[slots[k]]);
+  };
+  for (std::size_t l = 0; l < disc.loads.size(); ++l)
+    for (std::size_t k = 0; k < disc.loads[l].dof.size(); ++k)
+      move(disc.loads[l].dof[k], forces.loads[l][k],
+           forces.load_values[l] * disc.loads[l].weight[k]);
+  for (std::size_t k = 0; k < disc.reactions.size(); ++k)
+    move(disc.reactions[k].dof, forces.reactions[k], forces.reaction_values[k]);
+  // Reactions of constraints from what their nodes lack to their accelerations; where those are
+  // made of stresses, the inertia of moved nodes.
+  const bool lacking = disc.reactions.empty();
+  if (lacking) {
+    push_back(disc.constraints.fixed, forces.fixed);
+    push_back(disc.constraints.held, forces.held);
   }
-  void push(Index dof, Index slot, double force) {
-    impulse_[dof % D] += force;
-    if constexpr (D > 1) angular_ += arm(dof, slot) * force;
+  for (std::size_t k = 0; k < disc.constraints.moved.size(); ++k) {
+    const Index dof = disc.constraints.moved[k].dof;
+    const Index slot = forces.moved[k];
+    const double change = next(dof) - forces.v.data()[slot];
+    move(dof, slot, disc.mass[dof / D] * change / kick + (lacking ? -forces.f.data()[slot] : 0.0));
   }
-  /// Of a force on a degree of freedom about the origin, in 2D; with positions of the reference
-  /// configuration for linear elasticity, whose energy is not invariant under finite rotations.
-  [[nodiscard]] double arm(Index dof, Index slot) const requires(D == 2) {
-    const bool along_y = (dof & 1) != 0;
-    double x = disc_.particles.X.data()[dof ^ 1];
-    if (!small_strain_) x += forces_.u.data()[slot ^ 1];
-    return along_y ? x : -x;
-  }
+  const double time = 0.5 * (before + after);
+  sum.external_work += 0.5 * work;
+  for (int i = 0; i < D; ++i) sum.impulse[i] += time * impulse[i];
+  sum.angular_impulse += time * angular;
+  if (!disc.has_body_force()) return;
+  sum.impulse += time * disc.mass.sum() * disc.body_force;
+  sum.angular_impulse += time * cross<D>(forces.moment_of_mass, disc.body_force);
+}
 
-  const Discretisation<D>& disc_;
-  const BoundaryForces<D>& forces_;
-  double before_, after_;
-  const Next& next_;
-  bool small_strain_;
-  double work_ = 0.0, angular_ = 0.0;
-  double impulse_[D] = {};
-};
+/// Σ V × density(law at the state's memory, point) over the material points.
+template <int D, class Density>
+double sum_over_points(const Discretisation<D>& disc, const State<D>& state,
+                       const Density& density) {
+  double sum = 0.0;
+  for (const Region<D>& region : disc.regions)
+    std::visit(
+        [&](const auto& law) {
+          for (Index k = 0; k < region.size(state.H.rows()); ++k) {
+            const Index s = region.point(k);
+            sum += disc.points.V[s] * density(law.at(present(state, s)), s);
+          }
+        },
+        region.law);
+  return sum;
+}
 
 }  // namespace
 
@@ -108,12 +100,12 @@ Vector<D> moment_of_mass(const Discretisation<D>& disc, const VectorField<D>& u)
 
 template <int D>
 BoundaryForces<D>::BoundaryForces(const Discretisation<D>& disc) {
-  const auto add = [&](Index dof) { nodes.push_back(dof / D); };
-  for (const Load& load : disc.loads) std::ranges::for_each(load.dof, add);
-  std::ranges::for_each(disc.constraints.fixed, add);
-  std::ranges::for_each(disc.constraints.held, add);
-  for (const auto& motion : disc.constraints.moved) add(motion.dof);
-  for (const ReactionTerm& term : disc.reactions) add(term.dof);
+  const auto add_node = [&](Index dof) { nodes.push_back(dof / D); };
+  for (const Load& load : disc.loads) std::ranges::for_each(load.dof, add_node);
+  std::ranges::for_each(disc.constraints.fixed, add_node);
+  std::ranges::for_each(disc.constraints.held, add_node);
+  for (const auto& motion : disc.constraints.moved) add_node(motion.dof);
+  for (const ReactionTerm& term : disc.reactions) add_node(term.dof);
   std::ranges::sort(nodes);
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   const auto slot = [&](Index dof) {
@@ -159,18 +151,16 @@ void BoundaryForces<D>::gather(const Instant<D>& now) {
 
 template <int D>
 void WorkAndImpulse<D>::add_before(const BoundaryForces<D>& forces, const Instant<D>& now) {
-  const auto next = [&](Index dof) { return next_velocity<D>(now.body, now.state, now.dt, dof); };
   const double before = now.state.last_dt;
-  Adder<D, decltype(next)>(now.body, forces, before, 0.0, next)
-      .add_to(*this, 0.5 * (before + now.dt));
+  const auto next = [&](Index dof) { return next_velocity<D>(now.body, now.state, now.dt, dof); };
+  add(now.body, forces, before, 0.0, 0.5 * (before + now.dt), next, *this);
   dissipated += 0.5 * before * forces.viscous_power;
 }
 
 template <int D>
 void WorkAndImpulse<D>::add_after(const BoundaryForces<D>& forces, const Instant<D>& now) {
   const auto next = [&](Index dof) { return next_velocity<D>(now.body, now.state, now.dt, dof); };
-  Adder<D, decltype(next)>(now.body, forces, 0.0, now.dt, next)
-      .add_to(*this, 0.5 * (now.state.last_dt + now.dt));
+  add(now.body, forces, 0.0, now.dt, 0.5 * (now.state.last_dt + now.dt), next, *this);
   dissipated += 0.5 * now.dt * forces.viscous_power_after;
 }
 
@@ -179,31 +169,9 @@ void WorkAndImpulse<D>::add_step(const Discretisation<D>& disc, const BoundaryFo
                                  const State<D>& after, const Steps& steps) {
   const auto next = [&](Index dof) { return after.v.data()[dof]; };
   const double before = steps.before_added ? 0.0 : steps.before;
-  Adder<D, decltype(next)>(disc, forces, before, steps.after, next)
-      .add_to(*this, 0.5 * (steps.before + steps.after));
+  add(disc, forces, before, steps.after, 0.5 * (steps.before + steps.after), next, *this);
   dissipated += 0.5 * (before * forces.viscous_power + steps.after * forces.viscous_power_after);
 }
-
-namespace {
-
-/// Σ V × density(law at the state's memory, point) over the material points.
-template <int D, class Density>
-double sum_over_points(const Discretisation<D>& disc, const State<D>& state,
-                       const Density& density) {
-  double sum = 0.0;
-  for (const Region<D>& region : disc.regions)
-    std::visit(
-        [&](const auto& law) {
-          for (Index k = 0; k < region.size(state.H.rows()); ++k) {
-            const Index s = region.point(k);
-            sum += disc.points.V[s] * density(law.at(present(state, s)), s);
-          }
-        },
-        region.law);
-  return sum;
-}
-
-}  // namespace
 
 template <int D>
 double elastic_energy(const Discretisation<D>& disc, const State<D>& state) {

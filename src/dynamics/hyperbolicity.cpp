@@ -16,7 +16,7 @@ namespace {
 /// Looks at all points of a region, and closer only if one of them is beyond the limit.
 template <int D, class Law>
 void look_at(const Region<D>& region, const Law& law, const State<D>& state,
-             std::optional<UnstablePoint<D>>& worst) {
+             std::optional<HyperbolicityLoss>& worst) {
   const auto tangent_at = [&](Index k) {
     const Index s = region.point(k);
     return law.at(present(state, s)).tangent(tensor_at<D>(state.H, s));
@@ -28,7 +28,7 @@ void look_at(const Region<D>& region, const Law& law, const State<D>& state,
   for (Index k = 0; k < count; ++k) {
     const double eigenvalue = smallest_acoustic_eigenvalue<D>(tangent_at(k));
     if (eigenvalue <= 0.0 && (!worst || eigenvalue < worst->acoustic_eigenvalue))
-      worst = {region.point(k), eigenvalue, Vector<D>::Zero()};
+      worst = {state.time, region.point(k), {}, {}, eigenvalue};
   }
 }
 
@@ -43,9 +43,9 @@ std::string HyperbolicityLoss::text() const {
 }
 
 template <int D>
-std::optional<UnstablePoint<D>> most_unstable_point(const Discretisation<D>& disc,
-                                                    const State<D>& state) {
-  std::optional<UnstablePoint<D>> worst;
+std::optional<HyperbolicityLoss> most_unstable_point(const Discretisation<D>& disc,
+                                                     const State<D>& state) {
+  std::optional<HyperbolicityLoss> worst;
   for (const Region<D>& region : disc.regions)
     std::visit(
         [&](const auto& law) {
@@ -54,15 +54,20 @@ std::optional<UnstablePoint<D>> most_unstable_point(const Discretisation<D>& dis
         },
         region.law);
   if (worst) {
+    const auto X = disc.points.X.row(worst->point);
+    worst->position.assign(X.begin(), X.end());
     const Tensor<D> F = deformation_gradient<D>(tensor_at<D>(state.H, worst->point));
-    worst->stretches = Eigen::JacobiSVD<Tensor<D>>(F).singularValues();
+    const Vector<D> stretches = Eigen::JacobiSVD<Tensor<D>>(F).singularValues();
+    worst->stretches.assign(stretches.begin(), stretches.end());
   }
   return worst;
 }
 
-template std::optional<UnstablePoint<1>> most_unstable_point<1>(const Discretisation<1>&,
-                                                                const State<1>&);
-template std::optional<UnstablePoint<2>> most_unstable_point<2>(const Discretisation<2>&,
-                                                                const State<2>&);
+#define TLSPH_INSTANTIATE(D)                                                                 \
+  template std::optional<HyperbolicityLoss> most_unstable_point<D>(const Discretisation<D>&, \
+                                                                   const State<D>&);
+TLSPH_INSTANTIATE(1)
+TLSPH_INSTANTIATE(2)
+#undef TLSPH_INSTANTIATE
 
 }  // namespace tlsph

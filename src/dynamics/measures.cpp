@@ -23,11 +23,12 @@ std::size_t region_of(const Discretisation<D>& disc, Index point) {
   return 0;
 }
 
-template StressMeasures<1> stress_measures<1>(const Region<1>&, const Tensor<1>&, const Tensor<1>&,
-                                              const Past&);
-template StressMeasures<2> stress_measures<2>(const Region<2>&, const Tensor<2>&, const Tensor<2>&,
-                                              const Past&);
-template std::size_t region_of<1>(const Discretisation<1>&, Index);
-template std::size_t region_of<2>(const Discretisation<2>&, Index);
+#define TLSPH_INSTANTIATE(D)                                                        \
+  template StressMeasures<D> stress_measures<D>(const Region<D>&, const Tensor<D>&, \
+                                                const Tensor<D>&, const Past&);     \
+  template std::size_t region_of<D>(const Discretisation<D>&, Index);
+TLSPH_INSTANTIATE(1)
+TLSPH_INSTANTIATE(2)
+#undef TLSPH_INSTANTIATE
 
 }  // namespace tlsph

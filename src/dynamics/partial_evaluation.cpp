@@ -1,6 +1,7 @@
 #include "tlsph/dynamics/partial_evaluation.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "tlsph/dynamics/measures.hpp"
 #include "tlsph/dynamics/stabiliser_forces.hpp"
@@ -21,11 +22,8 @@ PartialEvaluation<D>::PartialEvaluation(const Discretisation<D>& disc, std::vect
                                         std::vector<Index> points)
     : nodes_(std::move(nodes)), points_(std::move(points)) {
   sort_unique(nodes_);
-  const Neighbours& rows = disc.divergence.pattern();
   for (const Index q : nodes_)
-    for (Index k = rows.start[static_cast<std::size_t>(q)];
-         k < rows.start[static_cast<std::size_t>(q) + 1]; ++k)
-      points_.push_back(rows.column[static_cast<std::size_t>(k)]);
+    std::ranges::copy(disc.divergence.pattern().of(q), std::back_inserter(points_));
   sort_unique(points_);
   for (const Index s : points_) region_.push_back(region_of<D>(disc, s));
   for (std::size_t l = 0; l < disc.loads.size(); ++l)

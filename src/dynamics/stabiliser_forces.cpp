@@ -16,9 +16,8 @@ Vector<D> hourglass_row(const Discretisation<D>& disc, Index q, const VectorFiel
   const Neighbours& cells = disc.divergence.pattern();
   const double* x = u.data();
   double sum[D] = {};
-  for (Index c = cells.start[static_cast<std::size_t>(q)];
-       c < cells.start[static_cast<std::size_t>(q) + 1]; ++c) {
-    const auto s = static_cast<std::size_t>(cells.column[static_cast<std::size_t>(c)]);
+  for (const int cell : cells.of(q)) {
+    const auto s = static_cast<std::size_t>(cell);
     double own = 0.0;
     double amplitude[D] = {};
     for (Index k = nodes.start[s]; k < nodes.start[s + 1]; ++k) {
@@ -27,7 +26,7 @@ Vector<D> hourglass_row(const Discretisation<D>& disc, Index q, const VectorFiel
       if (r == q) own = weight;
       for (int i = 0; i < D; ++i) amplitude[i] += weight * (x[r * D + i] - x[q * D + i]);
     }
-    const double factor = own * disc.hourglass.modulus[static_cast<Index>(s)];
+    const double factor = own * disc.hourglass.modulus[cell];
     for (int i = 0; i < D; ++i) sum[i] += factor * amplitude[i];
   }
   return Eigen::Map<const Vector<D>>(sum);

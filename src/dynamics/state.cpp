@@ -1,6 +1,7 @@
 #include "tlsph/dynamics/state.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <Eigen/LU>
 
@@ -93,12 +94,11 @@ void forces(const Discretisation<D>& disc, State<D>& state) {
   }
 }
 
+/// "(0.1, 0.2)" of a material point.
 template <int D>
 std::string place_of(const Discretisation<D>& disc, Index point) {
-  std::string where;
-  for (int a = 0; a < D; ++a)
-    where += fmt::format("{}{:.6g}", a == 0 ? "" : ", ", disc.points.X(point, a));
-  return where;
+  const auto X = disc.points.X.row(point);
+  return fmt::format("({:.6g})", fmt::join(X.begin(), X.end(), ", "));
 }
 
 }  // namespace
@@ -117,7 +117,7 @@ void report_loss(const Discretisation<D>& disc, const State<D>& state, const std
     if (!std::isfinite(size)) break;
   }
   throw NumericalError(
-      fmt::format("{} at t = {:.6e} s, step {}; material point {} at ({}) m is deformed most", what,
+      fmt::format("{} at t = {:.6e} s, step {}; material point {} at {} m is deformed most", what,
                   state.time, state.step, worst, place_of<D>(disc, worst)),
       state.time, static_cast<long>(worst));
 }
@@ -136,15 +136,14 @@ void report_failure(const Discretisation<D>& disc, const State<D>& state) {
   };
   for (const Region<D>& region : disc.regions)
     for (Index k = 0; k < region.size(state.H.rows()); ++k) look_at(region, region.point(k));
-  const std::string where = place_of<D>(disc, worst);
   const AnyLaw<D>& law = disc.regions[region_of<D>(disc, worst)].law;
   const Tensor<D> H = tensor_at<D>(state.H, worst);
   const double J = 1 + volume_change<D>(H);
   const bool beyond = J > 0.0 && !(margin<D>(law, H) > 0.0);
   throw NumericalError(
-      fmt::format("{} at t = {:.6e} s, step {}: material point {} at ({}) m has det F = {:.3g} {}",
+      fmt::format("{} at t = {:.6e} s, step {}: material point {} at {} m has det F = {:.3g} {}",
                   beyond ? "the range of the law ended" : "deformation lost", state.time,
-                  state.step, worst, where, J,
+                  state.step, worst, place_of<D>(disc, worst), J,
                   beyond
                       ? fmt::format("and is outside the law's range, {}", range<D>(law))
                       : "or a stress that is not finite; a smaller time.safety, a finer spacing, "
@@ -195,9 +194,7 @@ double next_velocity(const Discretisation<D>& disc, const State<D>& state, doubl
   const double inverse_mass = disc.inverse_mass.data()[dof];
   if (inverse_mass == 0.0) {
     const auto& moved = disc.constraints.moved;
-    const auto motion = std::lower_bound(
-        moved.begin(), moved.end(), dof,
-        [](const Constraints::Motion& entry, Index wanted) { return entry.dof < wanted; });
+    const auto motion = std::ranges::lower_bound(moved, dof, {}, &Constraints::Motion::dof);
     if (motion == moved.end() || motion->dof != dof) return 0.0;
     return (value(disc.constraints.curves[motion->curve], state.time + dt) - state.u.data()[dof]) /
            dt;
@@ -206,9 +203,9 @@ double next_velocity(const Discretisation<D>& disc, const State<D>& state, doubl
 }
 
 template <int D>
-NodalMotion motion_of(const Discretisation<D>& disc, const State<D>& state, double dt, Index dof) {
+NodalMotion Instant<D>::motion(Index dof) const {
   const double before = state.v.data()[dof];
-  const double after = next_velocity<D>(disc, state, dt, dof);
+  const double after = next_velocity<D>(body, state, dt, dof);
   const double acceleration = (after - before) / (0.5 * (state.last_dt + dt));
   return {before + 0.5 * state.last_dt * acceleration, acceleration};
 }
@@ -251,7 +248,7 @@ void advance(const Discretisation<D>& disc, State<D>& state, double dt, double n
   template void report_loss<D>(const Discretisation<D>&, const State<D>&, const std::string&); \
   template void evaluate_unchecked<D>(const Discretisation<D>&, State<D>&);                    \
   template double next_velocity<D>(const Discretisation<D>&, const State<D>&, double, Index);  \
-  template NodalMotion motion_of<D>(const Discretisation<D>&, const State<D>&, double, Index); \
+  template struct Instant<D>;                                                                  \
   template void start<D>(const Discretisation<D>&, State<D>&, double);                         \
   template void advance<D>(const Discretisation<D>&, State<D>&, double, double);
 TLSPH_INSTANTIATE(1)

@@ -7,7 +7,7 @@
 #include <memory>
 #include <optional>
 
-#include "tlsph/dynamics/instant.hpp"
+#include "tlsph/dynamics/state.hpp"
 #include "tlsph/io/checkpoint.hpp"
 #include "tlsph/io/csv.hpp"
 #include "tlsph/io/files.hpp"

@@ -2,11 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "tlsph/core/stopwatch.hpp"
-#include "tlsph/linear/krylov.hpp"
-#include "tlsph/sweep/stiffness_product.hpp"
 
 namespace tlsph {
 namespace {
@@ -20,8 +17,6 @@ constexpr double initial_credit = 500.0;
 constexpr double credit_per_step = 0.25;
 /// The first one is as good as it can be; those of a state that goes on to change need not be.
 constexpr double tolerance_of_estimate = 1e-2;
-/// Of γ, a factor of what the tangents change.
-constexpr double tolerance_of_gamma = 5e-2;
 /// No material point deforms by more than this in a step: tangents that are safe at its start must
 /// not be overtaken before its end.
 constexpr double largest_deformation_per_step = 0.1;
@@ -80,44 +75,6 @@ AdaptiveStep<D>::AdaptiveStep(const Discretisation<D>& disc, const State<D>& sta
 template <int D>
 AdaptiveStep<D>::~AdaptiveStep() = default;
 
-/// γ: the operators with the unit tangent, by the same products as K.
-template <int D>
-double AdaptiveStep<D>::unit_stiffness() const {
-  std::optional<StiffnessProduct<D>> pass;
-  TensorField<D> H;
-  typename GhostGradient<D>::Workspace workspace;
-  if (sweep_ != nullptr)
-    pass.emplace(disc_, *sweep_);
-  else
-    H = TensorField<D>::Zero(disc_.points.size(), D * D);
-  if (disc_.ghosts) workspace = disc_.ghosts->workspace();
-  VectorField<D> x = VectorField<D>::Zero(disc_.nodes(), D);
-  VectorField<D> y = x;
-  const std::vector<double> zero(disc_.signals.size(), 0.0);
-  const auto root = disc_.inverse_mass.cwiseSqrt();  // an expression: no field of its own
-  const auto product = [&](const Eigen::VectorXd& in, Eigen::VectorXd& out) {
-    x = Eigen::Map<const VectorField<D>>(in.data(), disc_.nodes(), D).cwiseProduct(root);
-    if (pass) {
-      pass->product(x, y);
-    } else {
-      if (disc_.ghosts)
-        disc_.ghosts->apply(x, zero, H, workspace);
-      else
-        disc_.gradient.gradient(x, H);
-      for (const SignalTerm& term : disc_.stress_values) H.data()[term.slot] = 0.0;
-      disc_.divergence.divergence(H, y);
-    }
-    Eigen::Map<VectorField<D>>(out.data(), disc_.nodes(), D) = -y.cwiseProduct(root);
-  };
-  if (disc_.adjoint)
-    return largest_eigenvalue(product, x.size(),
-                              {.max_steps = 200, .tolerance = tolerance_of_gamma})
-        .upper_bound;
-  const auto values =
-      arnoldi_eigenvalues(product, x.size(), static_cast<int>(std::min<Index>(x.size(), 120)));
-  return std::abs(values.front());
-}
-
 template <int D>
 void AdaptiveStep<D>::use_operators_of(const Sweep<D>& sweep) {
   monitor_->use_operators_of(sweep);
@@ -136,19 +93,10 @@ double AdaptiveStep<D>::share_of_estimate(double added) const {
 
 template <int D>
 double AdaptiveStep<D>::bound(const State<D>& state) const {
-  const double gamma = gamma_ > 0.0 ? gamma_ : unit_stiffness();
-  return std::min(critical_.dt, initial_limit_) *
-         share_of_estimate(gamma * monitor_->stiffening(state, H_estimate_, memory_estimate_));
-}
-
-template <int D>
-StrainField AdaptiveStep<D>::strains(const State<D>& state) const {
-  return monitor_->strains(state);
-}
-
-template <int D>
-double AdaptiveStep<D>::deformation(const State<D>& state, const StrainField& before) const {
-  return monitor_->deformation(state, before);
+  const double gamma = gamma_ > 0.0 ? gamma_ : unit_stiffness<D>(disc_, sweep_);
+  StrainField strains = H_bound_;
+  const auto change = monitor_->change(state, H_estimate_, memory_estimate_, strains);
+  return std::min(critical_.dt, initial_limit_) * share_of_estimate(gamma * change.stiffening);
 }
 
 /// Beyond the limit of hyperbolicity of its law, nothing limits the step of a body one moment and
@@ -168,7 +116,8 @@ void AdaptiveStep<D>::estimate(State<D>& state) {
 template <int D>
 void AdaptiveStep<D>::take_bound(State<D>& state) {
   ++bounds_;
-  if (gamma_ == 0.0) gamma_ = unit_stiffness();  // not needed by a body that hardly deforms
+  if (gamma_ == 0.0)
+    gamma_ = unit_stiffness<D>(disc_, sweep_);  // not needed by a body that hardly deforms
   const auto change = monitor_->change(state, H_estimate_, memory_estimate_, H_bound_);
   limit_ = std::min(critical_.dt, initial_limit_) * share_of_estimate(gamma_ * change.stiffening);
   change_ = 0.0;

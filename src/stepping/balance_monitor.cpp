@@ -1,6 +1,7 @@
 #include "tlsph/stepping/balance_monitor.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -38,12 +39,11 @@ Index most_accelerated(const Instant<D>& now) {
 template <int D>
 NumericalError lost_at(const Instant<D>& now, const std::string& what, const std::string& cure) {
   const Index node = most_accelerated<D>(now);
-  std::string where;
-  for (int a = 0; a < D; ++a)
-    where += fmt::format("{}{:.6g}", a == 0 ? "" : ", ", now.body.particles.X(node, a));
-  return {fmt::format("{} at t = {:.6e} s, step {}; particle {} at ({}) m is accelerated most; {}",
-                      what, now.time(), now.step(), node, where, cure),
-          now.time(), static_cast<long>(node)};
+  const auto X = now.body.particles.X.row(node);
+  return {
+      fmt::format("{} at t = {:.6e} s, step {}; particle {} at ({:.6g}) m is accelerated most; {}",
+                  what, now.time(), now.step(), node, fmt::join(X.begin(), X.end(), ", "), cure),
+      now.time(), static_cast<long>(node)};
 }
 
 }  // namespace

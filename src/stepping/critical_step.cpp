@@ -17,9 +17,11 @@ namespace {
 template <int D>
 class Linearised {
  public:
-  Linearised(const Discretisation<D>& disc, const State<D>& state, const Sweep<D>* sweep)
+  /// `at`: the state and the sweep of its forces, or the sweep alone.
+  template <class... At>
+  explicit Linearised(const Discretisation<D>& disc, const At&... at)
       : disc_(disc),
-        forces_(disc, state, sweep),
+        forces_(disc, at...),
         x_(VectorField<D>::Zero(disc.nodes(), D)),
         y_(x_),
         root_(disc.inverse_mass.cwiseSqrt()) {}
@@ -61,14 +63,16 @@ class Linearised {
 
 template <int D>
 double largest(Linearised<D>& linearised, double k, double c, double tolerance) {
-  LanczosOptions options;
-  options.max_steps = 200;
-  options.tolerance = tolerance;
   // The Ritz value errs by residual²/gap; the bound θ + residual keeps the step on the safe side.
-  const LanczosResult result = largest_eigenvalue(
-      [&](const Eigen::VectorXd& x, Eigen::VectorXd& y) { linearised.symmetric(k, c, x, y); },
-      linearised.size(), options);
-  return result.upper_bound;
+  return largest_eigenvalue([&](const Eigen::VectorXd& x,
+                                Eigen::VectorXd& y) { linearised.symmetric(k, c, x, y); },
+                            linearised.size(), {.max_steps = 200, .tolerance = tolerance})
+      .upper_bound;
+}
+
+/// The eigenvalues of largest modulus of a map of vectors.
+std::vector<std::complex<double>> largest_of(const LinearMap& map, Index size) {
+  return arnoldi_eigenvalues(map, size, static_cast<int>(std::min<Index>(size, 120)));
 }
 
 /// Δt with λ_max(Δt² K + 2Δt C) = 4; the left side grows with an exponent between one and two. No
@@ -91,10 +95,6 @@ double damped_step(Linearised<D>& linearised, double undamped, double tolerance)
   return dt;
 }
 
-}  // namespace
-
-namespace {
-
 template <int D>
 std::optional<CriticalStep> estimate(const Discretisation<D>& disc, const State<D>& state,
                                      double tolerance, const Sweep<D>* sweep) {
@@ -106,10 +106,9 @@ std::optional<CriticalStep> estimate(const Discretisation<D>& disc, const State<
     result.dt = 2.0 / std::sqrt(omega_squared);
     if (disc.viscosity.nonZeros() > 0) result.dt = damped_step(linearised, result.dt, tolerance);
   } else {
-    const auto steps = static_cast<int>(std::min<Index>(linearised.size(), 120));
-    const auto values = arnoldi_eigenvalues(
-        [&](const Eigen::VectorXd& x, Eigen::VectorXd& y) { linearised.general(x, y); },
-        linearised.size(), steps);
+    const auto values =
+        largest_of([&](const Eigen::VectorXd& x, Eigen::VectorXd& y) { linearised.general(x, y); },
+                   linearised.size());
     double largest_modulus = 0.0;
     double growth = 0.0;
     for (const std::complex<double>& lambda : values) {
@@ -143,13 +142,24 @@ CriticalStep critical_step(const Discretisation<D>& disc, const State<D>& state)
   report_loss<D>(disc, state, "the body has no stiffness, and no critical time step,");
 }
 
-template std::optional<CriticalStep> critical_step_if_any<1>(const Discretisation<1>&,
-                                                             const State<1>&, double,
-                                                             const Sweep<1>*);
-template std::optional<CriticalStep> critical_step_if_any<2>(const Discretisation<2>&,
-                                                             const State<2>&, double,
-                                                             const Sweep<2>*);
-template CriticalStep critical_step<1>(const Discretisation<1>&, const State<1>&);
-template CriticalStep critical_step<2>(const Discretisation<2>&, const State<2>&);
+template <int D>
+double unit_stiffness(const Discretisation<D>& disc, const Sweep<D>* sweep) {
+  constexpr double tolerance = 5e-2;  // of a factor of what the tangents change
+  Linearised<D> linearised(disc, sweep);
+  if (disc.adjoint) return largest(linearised, 1.0, 0.0, tolerance);
+  const auto values = largest_of(
+      [&](const Eigen::VectorXd& x, Eigen::VectorXd& y) { linearised.symmetric(1.0, 0.0, x, y); },
+      linearised.size());
+  return std::abs(values.front());
+}
+
+#define TLSPH_INSTANTIATE(D)                                                         \
+  template std::optional<CriticalStep> critical_step_if_any<D>(                      \
+      const Discretisation<D>&, const State<D>&, double, const Sweep<D>*);           \
+  template CriticalStep critical_step<D>(const Discretisation<D>&, const State<D>&); \
+  template double unit_stiffness<D>(const Discretisation<D>&, const Sweep<D>*);
+TLSPH_INSTANTIATE(1)
+TLSPH_INSTANTIATE(2)
+#undef TLSPH_INSTANTIATE
 
 }  // namespace tlsph

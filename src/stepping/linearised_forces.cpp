@@ -13,30 +13,52 @@ namespace {
 /// Nodes of a body for which planning a sweep costs less than it brings.
 constexpr Index worth_a_sweep = 10'000;
 
+/// Entries of `inverse_mass` that are not zero, ascending.
+template <int D>
+std::vector<Index> free_dofs(const Discretisation<D>& disc) {
+  std::vector<Index> free;
+  for (Index dof = 0; dof < disc.inverse_mass.size(); ++dof)
+    if (disc.inverse_mass.data()[dof] != 0.0) free.push_back(dof);
+  return free;
+}
+
 }  // namespace
 
 template <int D>
 LinearisedForces<D>::LinearisedForces(const Discretisation<D>& disc, const State<D>& state,
                                       const Sweep<D>* sweep)
-    : disc_(disc), state_(state), zero_(disc.signals.size(), 0.0) {
-  if (sweep != nullptr && disc.viscosity.nonZeros() == 0) {
+    : disc_(disc), state_(&state) {
+  const bool by_points = disc.viscosity.nonZeros() > 0;
+  const bool large = disc.nodes() >= worth_a_sweep && Sweep<D>::possible(disc);
+  if (by_points || (sweep == nullptr && !large)) {
+    prepare();
+    return;
+  }
+  if (sweep != nullptr || (!disc.linear() && !(state.H.array() == 0.0).all())) {
     tangent_.emplace(disc, state, sweep);
     return;
   }
-  if (disc.nodes() >= worth_a_sweep && Sweep<D>::possible(disc) && disc.viscosity.nonZeros() == 0) {
-    if (!disc.linear() && !(state.H.array() == 0.0).all()) {
-      tangent_.emplace(disc, state);
-      return;
-    }
-    SweepOptions options;
-    options.threads = omp_get_max_threads();
-    options.linearised = true;
-    sweep_.emplace(disc, options);
-    moved_.signals.assign(disc.signals.size(), 0.0);
-    return;
-  }
-  H_ = TensorField<D>::Zero(disc.points.size(), D * D);
-  if (disc.ghosts) workspace_ = disc.ghosts->workspace();
+  SweepOptions options;
+  options.threads = omp_get_max_threads();
+  options.linearised = true;
+  sweep_.emplace(disc, options);
+  moved_.signals.assign(disc.signals.size(), 0.0);
+}
+
+template <int D>
+LinearisedForces<D>::LinearisedForces(const Discretisation<D>& disc, const Sweep<D>* sweep)
+    : disc_(disc) {
+  if (sweep != nullptr)
+    tangent_.emplace(disc, *sweep);
+  else
+    prepare();
+}
+
+template <int D>
+void LinearisedForces<D>::prepare() {
+  zero_.assign(disc_.signals.size(), 0.0);
+  H_ = TensorField<D>::Zero(disc_.points.size(), D * D);
+  if (disc_.ghosts) workspace_ = disc_.ghosts->workspace();
 }
 
 template <int D>
@@ -54,33 +76,30 @@ void LinearisedForces<D>::product(const VectorField<D>& x, VectorField<D>& force
     disc_.ghosts->apply(x, zero_, H_, workspace_);
   else
     disc_.gradient.gradient(x, H_);
+  if (state_ != nullptr) apply_tangents();
+  for (const SignalTerm& term : disc_.stress_values) H_.data()[term.slot] = 0.0;
+  disc_.divergence.divergence(H_, force);
+  if (state_ != nullptr) subtract_stabiliser<D>(disc_, x, force);
+}
+
+template <int D>
+void LinearisedForces<D>::apply_tangents() {
   for (const Region<D>& region : disc_.regions)
     std::visit(
         [&](const auto& law) {
           for_rows(region.size(H_.rows()), [&](Index k) {
             const Index s = region.point(k);
             const Tensor<D> dP =
-                law.at(present(state_, s)).dpk1(tensor_at<D>(state_.H, s), tensor_at<D>(H_, s));
+                law.at(present(*state_, s)).dpk1(tensor_at<D>(state_->H, s), tensor_at<D>(H_, s));
             Eigen::Map<Tensor<D>>(H_.data() + s * D * D) = dP;
           });
         },
         region.law);
-  for (const SignalTerm& term : disc_.stress_values) H_.data()[term.slot] = 0.0;
-  disc_.divergence.divergence(H_, force);
-  subtract_stabiliser<D>(disc_, x, force);
-}
-
-template <int D>
-std::vector<Index> LinearisedForces<D>::free_dofs() const {
-  std::vector<Index> free;
-  for (Index dof = 0; dof < disc_.inverse_mass.size(); ++dof)
-    if (disc_.inverse_mass.data()[dof] != 0.0) free.push_back(dof);
-  return free;
 }
 
 template <int D>
 SparseMatrix LinearisedForces<D>::dynamical_matrix() {
-  const std::vector<Index> free = free_dofs();
+  const std::vector<Index> free = free_dofs<D>(disc_);
   const auto n = static_cast<Index>(free.size());
   const auto root = [&](Index dof) { return std::sqrt(disc_.inverse_mass.data()[dof]); };
   VectorField<D> x = VectorField<D>::Zero(disc_.nodes(), D);
@@ -109,7 +128,7 @@ SparseMatrix LinearisedForces<D>::dynamical_matrix() {
 template <int D>
 SparseMatrix LinearisedForces<D>::damping_matrix() const {
   if (disc_.viscosity.nonZeros() == 0) return {};
-  const std::vector<Index> free = free_dofs();
+  const std::vector<Index> free = free_dofs<D>(disc_);
   std::vector<int> place(static_cast<std::size_t>(disc_.inverse_mass.size()), -1);
   for (std::size_t k = 0; k < free.size(); ++k)
     place[static_cast<std::size_t>(free[k])] = static_cast<int>(k);

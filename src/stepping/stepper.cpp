@@ -27,12 +27,10 @@ constexpr double alarming_speed = 8.0;
 std::string cure_of_growth(const std::optional<double>& step) {
   if (!step)
     return "a smaller time.safety, a stabiliser or a formulation whose divergence is the adjoint "
-           "of "
-           "its gradient may help";
+           "of its gradient may help";
   return fmt::format(
       "time.step, {:.4g} s, is above the critical step of the body as it is now: take a smaller "
-      "one, "
-      "or time.safety",
+      "one, or time.safety",
       *step);
 }
 
@@ -74,6 +72,7 @@ void Stepper<D>::compute_forces(State<D>& state) const {
 /// material point by more than a tenth in one of the first steps.
 template <int D>
 double Stepper<D>::rehearsed(double dt) const {
+  StrainMonitor<D> monitor(body_);
   while (dt > collapse * critical_->dt) {
     double most = 0.0;
     try {
@@ -81,10 +80,10 @@ double Stepper<D>::rehearsed(double dt) const {
       compute_forces(trial);
       tlsph::start<D>(body_, trial, dt);
       for (int n = 1; n <= rehearsed_steps && most <= largest_deformation; ++n) {
-        const auto before = adaptive_->strains(trial);
+        const auto before = monitor.strains(trial);
         advance<D>(body_, trial, dt, static_cast<double>(n) * dt);
         compute_forces(trial);
-        most = std::max(most, adaptive_->deformation(trial, before));
+        most = std::max(most, monitor.deformation(trial, before));
       }
     } catch (const NumericalError&) {
       most = 1.0;
@@ -194,22 +193,10 @@ bool Stepper<D>::sample_balance(bool out_of_turn) {
   const Stopwatch watch;
   known_speed_ = std::max(known_speed_, speed_);
   monitor_.add(instant(), work_, due);
-  if (due) watch_hyperbolicity();
+  if (due && !hyperbolicity_lost_ && !body_.linear())
+    hyperbolicity_lost_ = most_unstable_point<D>(body_, state_);
   observing_ += watch.seconds();
   return due;
-}
-
-template <int D>
-void Stepper<D>::watch_hyperbolicity() {
-  if (hyperbolicity_lost_ || body_.linear()) return;
-  const auto worst = most_unstable_point<D>(body_, state_);
-  if (!worst) return;
-  const auto X = body_.points.X.row(worst->point);
-  hyperbolicity_lost_ = {state_.time,
-                         worst->point,
-                         {X.begin(), X.end()},
-                         {worst->stretches.begin(), worst->stretches.end()},
-                         worst->acoustic_eigenvalue};
 }
 
 template <int D>

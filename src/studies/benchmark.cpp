@@ -135,7 +135,7 @@ BenchmarkRow measure(const Case& entry, const BenchmarkOptions& options,
   const double dt = 0.5 * critical_step<D>(disc, state).dt;
   start<D>(disc, state, dt);
   Sweep<D> sweep(disc, {entry.threads, scene.precision == Precision::mixed, Instructions::widest});
-  BoundaryForces<D> forces = sweep.boundary_forces();
+  BoundaryForces<D> forces(disc);
 
   BenchmarkRow row;
   row.name = entry.name;

@@ -45,17 +45,11 @@ TLSPH_INLINE Real swapped(Real value) {
 
 /// The stencil of a run of block rows.
 template <int D>
-struct BlockStencil {
-  const int* offset;
-  const double* weight;
-  int entries, mixed;
+struct BlockStencil : Stencil<block_weights<D>> {
+  int mixed;
 
-  BlockStencil(const BlockWeights& table, const RowRun& run)
-      : offset(table.offset + table.stencil_start[run.stencil]),
-        weight(table.weight +
-               static_cast<Index>(table.stencil_start[run.stencil]) * block_weights<D>),
-        entries(table.stencil_start[run.stencil + 1] - table.stencil_start[run.stencil]),
-        mixed(table.mixed[run.stencil]) {}
+  BlockStencil(const RowWeights& table, const RowRun& run)
+      : Stencil<block_weights<D>>(table, run), mixed(table.mixed[run.stencil]) {}
 };
 
 /// Weights of a stencil that the compiler knows the size of, in registers.
@@ -153,7 +147,7 @@ TLSPH_INLINE Index accelerations_of_run(const BlockStencil<D>& stencil, const Bl
 
 /// a = B u + g of the rows of some runs, and of the patches in them; false where one is not finite.
 template <int D>
-bool accelerations(const BlockWeights& table, Runs runs, Runs patches, const double* u, Index size,
+bool accelerations(const RowWeights& table, Runs runs, Runs patches, const double* u, Index size,
                    const double* body_force, double* to, Index out_base) {
   using Value = typename RowValue<D>::Type;
   constexpr int neighbours = D == 1 ? 2 : 8, mixing = D == 1 ? 0 : 4;  // of a node of a lattice

@@ -1,18 +1,14 @@
 #include "loops.hpp"
 
-namespace tlsph::sweep {
+#include <array>
 
-#define TLSPH_DECLARE(set)              \
-  extern const Loops<1> set##_loops_1d; \
-  extern const Loops<2> set##_loops_2d;
-TLSPH_DECLARE(baseline)
-#ifdef TLSPH_X86
-TLSPH_DECLARE(avx2)
-TLSPH_DECLARE(avx512)
-#endif
-#undef TLSPH_DECLARE
+#include "tlsph/core/cpu_clock.hpp"
+#include "tlsph/sweep/sweep.hpp"
 
-Level widest_level() {
+namespace tlsph {
+namespace {
+
+Instructions widest() {
 #ifdef TLSPH_X86
   __builtin_cpu_init();
   // By features: clang knows the levels x86-64-v3 and -v4 by name only from later versions on.
@@ -21,28 +17,42 @@ Level widest_level() {
   const bool avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
                       __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
                       __builtin_cpu_supports("avx512vl");
-  if (avx2 && avx512) return Level::avx512;
-  if (avx2) return Level::avx2;
+  if (avx2 && avx512) return Instructions::avx512;
+  if (avx2) return Instructions::avx2;
 #endif
-  return Level::baseline;
+  return Instructions::baseline;
 }
 
-template <>
-const Loops<1>& loops<1>([[maybe_unused]] Level level) {
+}  // namespace
+
+bool available(Instructions instructions) {
+  return instructions <= widest();
+}
+
+std::string widest_instructions() {
+  constexpr std::array names = {"widest", "baseline", "avx2", "avx512"};
+  return names[static_cast<std::size_t>(widest())];
+}
+
+double peak_multiply_adds(Index rounds) {
+  double sum = 0.0;
+  const double start = cpu_seconds();
+  const Index done = sweep::loops<1>(Instructions::widest).multiply_adds(rounds, sum);
+  const double seconds = cpu_seconds() - start;
+  return sum > 0.0 ? static_cast<double>(done) / seconds : 0.0;
+}
+
+template <int D>
+const sweep::Loops<D>& sweep::loops([[maybe_unused]] Instructions instructions) {
 #ifdef TLSPH_X86
-  if (level == Level::avx512) return avx512_loops_1d;
-  if (level == Level::avx2) return avx2_loops_1d;
+  if (instructions == Instructions::widest) instructions = widest();
+  if (instructions == Instructions::avx512) return avx512_loops<D>();
+  if (instructions == Instructions::avx2) return avx2_loops<D>();
 #endif
-  return baseline_loops_1d;
+  return baseline_loops<D>();
 }
 
-template <>
-const Loops<2>& loops<2>([[maybe_unused]] Level level) {
-#ifdef TLSPH_X86
-  if (level == Level::avx512) return avx512_loops_2d;
-  if (level == Level::avx2) return avx2_loops_2d;
-#endif
-  return baseline_loops_2d;
-}
+template const sweep::Loops<1>& sweep::loops<1>(Instructions);
+template const sweep::Loops<2>& sweep::loops<2>(Instructions);
 
-}  // namespace tlsph::sweep
+}  // namespace tlsph

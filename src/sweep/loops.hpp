@@ -14,6 +14,10 @@
 #include "tlsph/materials/law_list.hpp"
 #include "tlsph/operators/row_run.hpp"
 
+namespace tlsph {
+enum class Instructions;  // tlsph/sweep/sweep.hpp
+}
+
 namespace tlsph::sweep {
 
 using Index = std::ptrdiff_t;  // tlsph::Index, without its header
@@ -24,6 +28,7 @@ struct RowWeights {
   const int* offset = nullptr;
   const double* stencil_weight = nullptr;
   const int* reach = nullptr;
+  const int* mixed = nullptr;  ///< of blocks: entries of a stencil, its first, that mix components
   const Index* row_start = nullptr;
   const int* column = nullptr;
   const double* weight = nullptr;        ///< of general rows, or
@@ -37,24 +42,42 @@ struct Runs {
   Index count = 0;
 };
 
+/// One row, wherever it is stored: entry k stands at column origin + index[k].
+template <class Weight>
+struct Row {
+  const int* index;
+  const Weight* weight;  ///< as many an entry as there are directions
+  Index entries;
+  Index origin;
+  double scale;  ///< of the row's products, where they are scaled
+};
+
+template <class Weight>
+[[gnu::always_inline]] inline Row<Weight> general_row(const RowWeights& table,
+                                                      const Weight* weights, int directions,
+                                                      Index row) {
+  const Index start = table.row_start[row];
+  return {table.column + start, weights + start * directions, table.row_start[row + 1] - start, 0,
+          table.row_scale != nullptr ? table.row_scale[row] : 1.0};
+}
+
+[[gnu::always_inline]] inline Row<double> stencil_row(const RowWeights& table, int directions,
+                                                      const RowRun& run, Index row) {
+  const Index start = table.stencil_start[run.stencil];
+  return {table.offset + start, table.stencil_weight + start * directions,
+          table.stencil_start[run.stencil + 1] - start, run.column + (row - run.first), 1.0};
+}
+
 /// Rows `base` … stand at the start of the arrays.
 struct Window {
   double* const* direction = nullptr;
   Index base = 0;
 };
 
-/// Numbers of a block: D of its diagonal, and in 2D what each component gives to the other.
+/// Weights of an entry of a stiffness (stiffness.hpp), a block: D of its diagonal, and in 2D what
+/// each component gives to the other.
 template <int D>
 inline constexpr int block_weights = D* D;
-
-/// The block rows of a stiffness (stiffness.hpp); all of them have a stencil.
-struct BlockWeights {
-  const int* stencil_start = nullptr;
-  const int* offset = nullptr;  ///< from the row
-  const double* weight = nullptr;
-  const int* mixed = nullptr;  ///< entries of a stencil, its first, with more than a diagonal
-  const int* reach = nullptr;
-};
 
 /// What makes velocities and places of accelerations; arrays of the whole body.
 struct Motion {
@@ -72,12 +95,11 @@ inline constexpr Index overrun = 32;
 
 /// The inner loops of a law. Each takes the law's text (tlsph/materials/law.hpp) first.
 struct LawLoops {
-  using Points = bool (*)(const void* law, const RowWeights&, Runs, const double* u, Index size,
-                          Window out);
   /// H of `count` points becomes P, in place. False where det F ≤ 0 or a stress is not finite.
   bool (*stress)(const void* law, double* const* field, Index first, Index count);
-  /// H = G u and P of rows; out holds P and, with modes, their rows. False as above.
-  Points points, points_and_modes;
+  /// H = G u and P of rows, by `modes`; out holds P and, with modes, their rows. False as above.
+  bool (*points[2])(const void* law, const RowWeights&, Runs, const double* u, Index size,
+                    Window out);
   /// dP = ∂P/∂F : dH of `count` points.
   void (*tangent)(const void* law, const double* const* H, const double* const* dH,
                   double* const* dP, Index count);
@@ -87,18 +109,19 @@ struct LawLoops {
                        Index count);
 };
 
-template <int D>
-struct Loops {
+/// The inner loops of G and D.
+struct Products {
   /// out_a[row] = Σ_k w^a_k u[column_k]; `size` doubles in u.
   void (*gradient)(const RowWeights&, Runs, const double* u, Index size, Window out);
-  /// The same with one direction more.
-  void (*gradient_and_modes)(const RowWeights&, Runs, const double* u, Index size, Window out);
   /// out[row] = Σ_a Σ_k w^a_k P_a[column_k].
   void (*divergence)(const RowWeights&, Runs, Window P, double* out, Index out_base);
-  void (*divergence_and_modes)(const RowWeights&, Runs, Window P, double* out, Index out_base);
   /// The same for accelerations that move their rows: v += kick a, u += dt v; the largest |v|.
   double (*move)(const RowWeights&, Runs, Window P, const Motion&);
-  double (*move_with_modes)(const RowWeights&, Runs, Window P, const Motion&);
+};
+
+template <int D>
+struct Loops {
+  Products products[2];  ///< by `modes`: of D directions, and of those and one more
   /// out[row] = Σ_k w_k (x[column_k] − x[row]).
   void (*differences)(const RowWeights&, Runs, const double* x, Index size, double* out,
                       Index out_base);
@@ -112,17 +135,22 @@ struct Loops {
   void (*subtract)(Index size, const double* r, double* a);
   /// out[row] = Σ_k B_k (u[row + offset_k] − u[row]) + body force of the rows of some runs, then of
   /// patches in them; false where one is not finite.
-  bool (*accelerations)(const BlockWeights&, Runs, Runs patches, const double* u, Index size,
+  bool (*accelerations)(const RowWeights&, Runs, Runs patches, const double* u, Index size,
                         const double* body_force, double* out, Index out_base);
   /// As `move`, of rows whose accelerations are those of `Motion::rows`.
   double (*move_on)(Runs, const Motion&);
 };
 
-/// Sets of instructions the loops are compiled for.
-enum class Level { baseline, avx2, avx512 };
-/// The widest that this processor has.
-[[nodiscard]] Level widest_level();
+/// Those for a set of instructions that is `available`.
 template <int D>
-[[nodiscard]] const Loops<D>& loops(Level level);
+[[nodiscard]] const Loops<D>& loops(Instructions instructions);
+
+// One source each.
+template <int D>
+[[nodiscard]] const Loops<D>& baseline_loops();
+template <int D>
+[[nodiscard]] const Loops<D>& avx2_loops();
+template <int D>
+[[nodiscard]] const Loops<D>& avx512_loops();
 
 }  // namespace tlsph::sweep

@@ -1,12 +1,11 @@
 #pragma once
 /// \file
-/// Included by one source an instruction set, which defines TLSPH_LANES, the doubles of a vector.
-/// Everything is local to that source.
+/// Included by one source an instruction set, which defines TLSPH_LANES, the doubles of a vector,
+/// and TLSPH_LOOPS, the name of what it defines. All else is local to that source.
 
 #include "blocks.hpp"
 #include "nodes.hpp"
 #include "points.hpp"
-#include "strains.hpp"
 
 namespace tlsph::sweep {
 namespace {
@@ -36,24 +35,42 @@ constexpr LawLoops law_loops() {
   if constexpr (requires { Law::memory; })
     return {};
   else
-    return {apply_law<D, Law>, points<D, D, Law>, points<D, D + 1, Law>, apply_tangent<D, Law>,
+    return {apply_law<D, Law>,
+            {points<D, D, Law>, points<D, D + 1, Law>},
+            apply_tangent<D, Law>,
             stiffening<D, Law>};
 }
 
+template <int D, int Directions>
+constexpr Products products = {gradient<D, Directions>, divergence<D, Directions>,
+                               move<D, Directions>};
+
 template <int D, class... Law>
 constexpr Loops<D> make_loops(laws::List<Law...>) {
-  return {gradient<D, D>, gradient<D, D + 1>, divergence<D, D>, divergence<D, D + 1>,
-          move<D, D>,     move<D, D + 1>,     differences<D>,   {law_loops<D, Law>()...},
-          deformation<D>, multiply_adds,      subtract,         accelerations<D>,
+  return {{products<D, D>, products<D, D + 1>},
+          differences<D>,
+          {law_loops<D, Law>()...},
+          deformation<D>,
+          multiply_adds,
+          subtract,
+          accelerations<D>,
           move_on<D>};
-}
-
-template <int D>
-constexpr Loops<D> make_loops() {
-  return make_loops<D>(laws::Listed<D>());
 }
 
 #undef TLSPH_INLINE
 
+template <int D>
+constexpr Loops<D> own_loops = make_loops<D>(laws::Listed<D>());
+
 }  // namespace
+
+template <>
+const Loops<1>& TLSPH_LOOPS<1>() {
+  return own_loops<1>;
+}
+template <>
+const Loops<2>& TLSPH_LOOPS<2>() {
+  return own_loops<2>;
+}
+
 }  // namespace tlsph::sweep

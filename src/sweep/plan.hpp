@@ -1,42 +1,60 @@
 #pragma once
 /// \file
 /// In which order a worker passes over its share of the body.
+///
+/// It moves its nodes block by block. What they are moved by are rows of two streams, of material
+/// points and of S or C, each computed in order into a window that moves along the body:
+///
+///     rows     first          base    live                 done          base + size      last
+///                ├──────────────┼───────┼────────────────────┼────────────────┼─────────────┤
+///                   forgotten      not     wanted by nodes       room for the    not computed
+///                                 wanted   that have not moved   next ones
+///
+///     nodes      ├──── at t_{n+1} ─────┤  block  ├───────────── at t_n ─────────────────────┤
+///
+/// Before a block moves, a stream is `done` up to the last row that moves one of its nodes or reads
+/// it. Rows from `live` on, the first that moves a node of this or a later block, are kept: where
+/// the window is full, [live, done) shifts to its start. Rows that read nodes of other workers are
+/// computed before any worker moves one: the first of a stream in its window, the last ones in a
+/// store from which they are copied when their turn comes.
 
 #include <vector>
 
-#include "tlsph/formulations/discretisation.hpp"
-#include "tlsph/operators/row_storage.hpp"
+#include "loops.hpp"
+#include "tlsph/core/types.hpp"
 
 namespace tlsph::sweep {
 
-/// What a worker does next. Ranges of rows, with the runs that make them up.
+/// So many entries of a list.
+struct Part {
+  Index first = 0, count = 0;
+};
+
+/// What a worker does next, with rows [first, last).
 struct Task {
   enum class Kind {
-    points,       ///< H = G u and P of material points, into the window
-    points_kept,  ///< the same into the store of those that reach into the next thread's nodes
-    points_copy,  ///< from that store into the window
-    rows,         ///< S u or C v of nodes, into their window
-    rows_kept,
-    rows_copy,
-    points_shift,  ///< the window starts at `first` from now on, what it holds up to `last` stays
-    rows_shift,
-    nodes,  ///< forces and update
+    compute,  ///< H = G u and P of points, or S u or C v of nodes, into the window
+    keep,     ///< the same into the store
+    copy,     ///< from the store into the window
+    shift,    ///< the window starts at `first` from now on, what it holds up to `last` stays
+    move,     ///< nodes: forces and update
   };
-  Kind kind = Kind::nodes;
+  Kind kind = Kind::move;
+  bool points = false;  ///< the stream of points, not that of rows of S or C
   Index first = 0, last = 0;
-  Index run = 0, runs = 0;       ///< in the list of runs of the operator the task applies
-  Index patch = 0, patches = 0;  ///< rows: behind them in that list, runs that come second
-  /// nodes: runs in the lists `free`, nodes without load or constraint, and `special`, the others
-  Index free = 0, frees = 0, special = 0, specials = 0;
-  Index item = 0, items = 0;  ///< points: law segments; nodes: those whose forces are gathered
-  Index load = 0, loads = 0;  ///< nodes: loaded degrees of freedom
+  Part runs = {};                ///< of the operator that the task applies
+  Part patches = {};             ///< rows: runs that come second
+  Part free = {}, special = {};  ///< nodes: runs without load or constraint, and the others
+  Part laws = {};                ///< points: law segments
+  Part booked = {};              ///< nodes whose forces are gathered
+  Part loads = {};               ///< loaded degrees of freedom of nodes
 };
 
 /// Material points of one law, consecutive, and the runs that make them up.
 struct LawSegment {
   std::size_t region = 0;
   Index first = 0, count = 0;
-  Index run = 0, runs = 0;
+  Part runs;
 };
 
 /// a[dof] += value(load curve) · weight
@@ -47,44 +65,56 @@ struct NodeLoad {
 };
 
 struct WorkerPlan {
+  /// Of a stream.
+  struct Window {
+    Index first = 0, size = 1;
+    Index kept = 0, kept_count = 0;  ///< rows in the store
+  };
   Index first_node = 0, last_node = 0;
-  std::vector<Task> before;  ///< of everything that reads nodes of other threads
-  std::vector<Task> after;   ///< when all threads have done theirs
-  std::vector<RowRun> gradient, divergence, rows;
-  std::vector<RowRun> free, special;  ///< of the divergence: nodes without and with conditions
+  std::vector<Task> before;  ///< of everything that reads nodes of other workers
+  std::vector<Task> after;   ///< when all workers have done theirs
+  std::vector<RowRun> runs;
   std::vector<LawSegment> laws;
   std::vector<NodeLoad> loads;
-  Index points_first = 0, points_window = 0, points_kept = 0, points_kept_count = 0;
-  Index rows_window = 0, rows_kept = 0, rows_kept_count = 0;
+  Window points, rows;
 };
 
 /// Nodes and points of a block: their fields stay in the first-level cache.
 inline constexpr Index block_rows = 512;
 
-/// What the plan of a worker is made from.
-struct Dependences {
-  std::vector<int> gradient_low, gradient_high;      ///< nodes a material point reads
-  std::vector<int> divergence_low, divergence_high;  ///< points a node reads
-  std::vector<int> point_readers;                    ///< the last point that reads a node, or −1
-  std::vector<int> rows_low, rows_high;              ///< nodes that a row of S or C reads; or empty
-  std::vector<int> row_readers;                      ///< the last row of S or C that reads a node
-  Index points = 0, nodes = 0;
-};
-
-struct Operators {
-  const std::vector<RowRun>* gradient = nullptr;
-  const std::vector<RowRun>* divergence = nullptr;
-  const std::vector<RowRun>* rows = nullptr;     ///< of S or C, nullptr if there is none
+/// The rows of a stream, what they read and what they move.
+struct StreamRows {
+  Index count = 0;  ///< zero: there is no such stream
+  const std::vector<RowRun>* runs = nullptr;
   const std::vector<RowRun>* patches = nullptr;  ///< runs that come after those, if there are any
+  std::vector<int> low, high;                ///< nodes that a row reads; `high` is −1 for none
+  std::vector<int> readers;                  ///< the last row that reads a node, or −1
+  std::vector<int> moving_low, moving_high;  ///< rows that move a node; empty: its own row
 };
 
-/// The plan of the worker that owns nodes [first, last). `regions` gives the law of every material
-/// point; empty: all have the first. `booked` are the nodes whose forces are gathered, `loads`
-/// loaded degrees of freedom, both ascending.
-[[nodiscard]] WorkerPlan make_plan(const Dependences& dependences, const Operators& operators,
-                                   const std::vector<int>& regions,
-                                   const std::vector<Index>& booked,
-                                   const std::vector<NodeLoad>& loads, int components, Index first,
-                                   Index last, bool alone);
+/// What the plan of a worker is made from.
+struct PlanInput {
+  StreamRows points, rows;
+  const std::vector<RowRun>* nodes = nullptr;  ///< runs of the divergence
+  std::vector<int> regions;     ///< the law of every material point; empty: all have the first
+  std::vector<Index> booked;    ///< nodes whose forces are gathered, ascending
+  std::vector<NodeLoad> loads;  ///< ascending
+  int components = 1;
+};
+
+/// The plan of the worker that owns nodes [first, last); `alone`: and all points.
+[[nodiscard]] WorkerPlan make_plan(const PlanInput& input, Index first, Index last, bool alone);
+
+/// visit(region, first, last) for the pieces of points [first, last) that have one law each.
+template <class Visit>
+void for_laws(const std::vector<int>& regions, Index first, Index last, const Visit& visit) {
+  while (first < last) {
+    const auto region = [&](Index s) { return regions[static_cast<std::size_t>(s)]; };
+    Index end = regions.empty() ? last : first + 1;
+    while (end < last && region(end) == region(first)) ++end;
+    visit(regions.empty() ? std::size_t{0} : static_cast<std::size_t>(region(first)), first, end);
+    first = end;
+  }
+}
 
 }  // namespace tlsph::sweep

@@ -5,11 +5,12 @@
 #include <vector>
 
 #include "loops.hpp"
-#include "tlsph/formulations/discretisation.hpp"
+#include "tlsph/dynamics/state.hpp"
 
 namespace tlsph::sweep {
 
-/// The law of a region with the inner loops of its type, or without, point by point.
+/// The law of a region with the inner loops of its type, or without, point by point. Fields are by
+/// direction.
 template <int D>
 struct RegionLaw {
   AnyLaw<D> law;
@@ -18,6 +19,16 @@ struct RegionLaw {
 
   /// What the loops ask for first.
   [[nodiscard]] const void* text() const;
+  /// H of `count` points becomes P, in place. False where a state has no stress.
+  [[nodiscard]] bool stress(double* const* field, Index first, Index count) const;
+  /// dP = ∂P/∂F : dH.
+  void tangent(const double* const* H, const double* const* dH, double* const* dP,
+               Index count) const;
+  /// max λ_max(∂P/∂F at H − ∂P/∂F at `before`), at most that and at least zero [Pa]; `memory` of
+  /// the points, now and before, for laws without loops.
+  [[nodiscard]] double stiffening(const double* const* H, const float* const* before, Index first,
+                                  Index count, const MemoryField& memory,
+                                  const MemoryField& memory_before) const;
 };
 
 /// One a region. `linearised`: what every law is at H = 0.

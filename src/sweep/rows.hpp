@@ -8,30 +8,6 @@
 namespace tlsph::sweep {
 namespace {
 
-/// Entry k stands at column origin + index[k], with `Directions` weights.
-template <class Weight>
-struct Row {
-  const int* index;
-  const Weight* weight;
-  Index entries;
-  Index origin;
-  double scale;  ///< of the row's products, where they are scaled
-};
-
-template <int Directions, class Weight>
-TLSPH_INLINE Row<Weight> general_row(const RowWeights& table, const Weight* weights, Index row) {
-  const Index start = table.row_start[row];
-  return {table.column + start, weights + start * Directions, table.row_start[row + 1] - start, 0,
-          table.row_scale != nullptr ? table.row_scale[row] : 1.0};
-}
-
-template <int Directions>
-TLSPH_INLINE Row<double> stencil_row(const RowWeights& table, const RowRun& run, Index row) {
-  const Index start = table.stencil_start[run.stencil];
-  return {table.offset + start, table.stencil_weight + start * Directions,
-          table.stencil_start[run.stencil + 1] - start, run.column + (row - run.first), 1.0};
-}
-
 /// Runs of which a vector would be mostly empty.
 template <int D>
 TLSPH_INLINE bool row_by_row(const RowRun& run) {
@@ -44,13 +20,13 @@ TLSPH_INLINE void for_each_row(const RowWeights& table, const RowRun& run, const
   const Index end = run.first + run.count;
   if (run.stencil != no_stencil)
     for (Index row = run.first; row < end; ++row)
-      act(row, stencil_row<Directions>(table, run, row));
+      act(row, stencil_row(table, Directions, run, row));
   else if (table.weight_single != nullptr)
     for (Index row = run.first; row < end; ++row)
-      act(row, general_row<Directions>(table, table.weight_single, row));
+      act(row, general_row(table, table.weight_single, Directions, row));
   else
     for (Index row = run.first; row < end; ++row)
-      act(row, general_row<Directions>(table, table.weight, row));
+      act(row, general_row(table, table.weight, Directions, row));
 }
 
 /// Entries whose weights are fetched before they are wanted: rows are short, and the processor's

@@ -13,37 +13,27 @@
 #include <optional>
 #include <vector>
 
-#include "loops.hpp"
-#include "plan.hpp"
 #include "region_laws.hpp"
 #include "storage.hpp"
-#include "tlsph/formulations/discretisation.hpp"
 
 namespace tlsph::sweep {
 
 template <int D>
 struct Stiffness {
-  /// Ascending; together all nodes, each in one; `column` is `first`. They run on over the few
-  /// nodes between two rows of a lattice.
-  std::vector<RowRun> runs;
+  /// Runs are ascending, together all nodes, each in one; `column` is `first`. Offsets are from the
+  /// node; those with weights that mix components come first. Runs go on over the few nodes between
+  /// two rows of a lattice.
+  RowStorage rows;
   std::vector<RowRun> patches;  ///< the foreign rows in `runs`, overwritten after them; ascending
-  std::vector<int> stencil_start = {0};
-  std::vector<int> offset;     ///< from the node; those with weights that mix components come first
-  std::vector<int> mixed;      ///< entries of each stencil that do
-  std::vector<int> reach;      ///< largest offset of each stencil, at least zero
-  std::vector<double> weight;  ///< `block_weights<D>` an entry
-  double multiply_adds = 0.0;  ///< of a node, on average
-  double work = 0.0;           ///< those, and differences, loads and stores of doubles
+  std::vector<int> mixed;       ///< entries of each stencil that mix components
+  double multiply_adds = 0.0;   ///< of a node, on average
+  double work = 0.0;            ///< those, and differences, loads and stores of doubles
 
-  [[nodiscard]] int stencils() const { return static_cast<int>(stencil_start.size()) - 1; }
-  [[nodiscard]] BlockWeights table() const;
+  [[nodiscard]] RowWeights table() const;
   /// That a product reads.
   [[nodiscard]] double bytes() const;
-  /// Joins runs of one stencil with few rows between them: a long run costs less than several, the
-  /// rows between, computed in vain, included.
-  void run_on();
-  /// Nodes that rows read, and nothing else.
-  [[nodiscard]] Dependences dependences() const;
+  /// A plan without points. `nodes`: one run of all of them.
+  [[nodiscard]] PlanInput plan_input(const std::vector<RowRun>& nodes) const;
 };
 
 /// None where a law is not linear or has no loops, forces depend on velocities, or rows share so
@@ -55,7 +45,7 @@ template <int D>
                                                        const std::vector<RegionLaw<D>>& laws,
                                                        Index most_stencils);
 
-/// What a step by points and their stress does for a node, on average, in the same unit.
+/// What a step by points and their stress does for a node, on average, in the unit of `work`.
 template <int D>
 [[nodiscard]] double work_of_points(const Discretisation<D>& discretisation);
 

@@ -43,13 +43,6 @@ RowStorage with_row_factors(const RowStorage& rows, const ScalarField& scale) {
   return result;
 }
 
-void set_stencils(RowWeights& table, const RowStorage& rows) {
-  table.stencil_start = rows.stencil_start.data();
-  table.offset = rows.offset.data();
-  table.stencil_weight = rows.weight.data();
-  table.reach = rows.reach.data();
-}
-
 void set_general(RowWeights& table, const Neighbours& pattern, const double* weights) {
   table.row_start = pattern.start.data();
   table.column = pattern.column.data();
@@ -80,27 +73,28 @@ std::unique_ptr<Real[]> weights_of_general(const RowStorage& rows, const VectorO
   return result;
 }
 
-/// First and last column of every row, −1 for rows without any.
+/// First and last column of every row, the latter −1 for rows without any.
 void column_range(const Neighbours& pattern, std::vector<int>& low, std::vector<int>& high) {
-  const auto rows = static_cast<std::size_t>(pattern.rows());
-  low.assign(rows, 0);
-  high.assign(rows, -1);
-  for (std::size_t r = 0; r < rows; ++r) {
-    if (pattern.start[r] == pattern.start[r + 1]) continue;
-    low[r] = pattern.column[static_cast<std::size_t>(pattern.start[r])];
-    high[r] = pattern.column[static_cast<std::size_t>(pattern.start[r + 1]) - 1];
-  }
+  low.assign(static_cast<std::size_t>(pattern.rows()), 0);
+  high.assign(low.size(), -1);
+  for (std::size_t r = 0; r < low.size(); ++r)
+    if (const auto columns = pattern.of(static_cast<Index>(r)); !columns.empty()) {
+      low[r] = columns.front();
+      high[r] = columns.back();
+    }
 }
 
-/// The last row that has an entry in each column.
-std::vector<int> last_reader(const Neighbours& pattern, Index columns) {
-  std::vector<int> last(static_cast<std::size_t>(columns), -1);
+/// The rows of a pattern as a stream, as far as they read nodes.
+StreamRows stream_of(const Neighbours& pattern, Index nodes, const RowStorage& rows) {
+  StreamRows stream;
+  stream.count = pattern.rows();
+  stream.runs = &rows.runs;
+  column_range(pattern, stream.low, stream.high);
+  stream.readers.assign(static_cast<std::size_t>(nodes), -1);
   for (Index r = 0; r < pattern.rows(); ++r)
-    for (Index k = pattern.start[static_cast<std::size_t>(r)];
-         k < pattern.start[static_cast<std::size_t>(r) + 1]; ++k)
-      last[static_cast<std::size_t>(pattern.column[static_cast<std::size_t>(k)])] =
-          static_cast<int>(r);
-  return last;
+    for (const int q : pattern.of(r))
+      stream.readers[static_cast<std::size_t>(q)] = static_cast<int>(r);
+  return stream;
 }
 
 Neighbours pattern_of(const SparseMatrix& matrix) {
@@ -112,23 +106,32 @@ Neighbours pattern_of(const SparseMatrix& matrix) {
 
 }  // namespace
 
+void set_stencils(RowWeights& table, const RowStorage& rows) {
+  table.stencil_start = rows.stencil_start.data();
+  table.offset = rows.offset.data();
+  table.stencil_weight = rows.weight.data();
+  table.reach = rows.reach.data();
+}
+
 template <int D>
 Storage<D>::Storage(const Discretisation<D>& disc, bool single)
-    : modes(!disc.hourglass.empty()), inverse_mass(disc.mass.cwiseInverse()), disc_(disc) {
+    : inverse_mass(disc.mass.cwiseInverse()), disc_(disc) {
+  tables.modes = !disc.hourglass.empty();
   const Neighbours& gradient_pattern = disc.gradient.pattern();
   const Neighbours& divergence_pattern = disc.divergence.pattern();
   const std::span<const double> amplitudes(disc.hourglass.weights);
   gradient = share_rows(gradient_pattern, disc.gradient.weights(), D, 0.0, amplitudes);
-  general_gradient_ = general_rows(gradient, disc.gradient, amplitudes, single, gradient_table);
+  general_gradient_ = general_rows(gradient, disc.gradient, amplitudes, single, tables.gradient);
   const std::vector<double> forces = mode_forces();
   divergence = with_row_factors(
       share_rows(divergence_pattern, disc.divergence.weights(), D, 0.0, forces), inverse_mass);
-  general_divergence_ = general_rows(divergence, disc.divergence, forces, single, divergence_table);
-  set_stencils(gradient_table, gradient);
-  set_stencils(divergence_table, divergence);
-  divergence_table.row_scale = inverse_mass.data();
-  report = tlsph::report(gradient, gradient_pattern);
-  add(tlsph::report(divergence, divergence_pattern));
+  general_divergence_ =
+      general_rows(divergence, disc.divergence, forces, single, tables.divergence);
+  set_stencils(tables.gradient, gradient);
+  set_stencils(tables.divergence, divergence);
+  tables.divergence.row_scale = inverse_mass.data();
+  add_report(gradient, gradient_pattern);
+  add_report(divergence, divergence_pattern);
   add_rows();
 }
 
@@ -150,26 +153,23 @@ auto Storage<D>::general_rows(const RowStorage& rows, const VectorOperator<D>& o
 
 template <int D>
 void Storage<D>::add_rows() {
-  const SparseMatrix* matrix = nullptr;
-  if (disc_.viscosity.nonZeros() > 0)
-    matrix = &disc_.viscosity;
-  else if (disc_.stiffness.nonZeros() > 0)
-    matrix = &disc_.stiffness;
-  if (matrix == nullptr) return;
-  has_rows = true;
-  viscous = matrix == &disc_.viscosity;
-  rows_pattern_ = pattern_of(*matrix);
-  const std::span<const double> values(matrix->valuePtr(),
-                                       static_cast<std::size_t>(matrix->nonZeros()));
+  tables.viscous = disc_.viscosity.nonZeros() > 0;
+  const SparseMatrix& matrix = tables.viscous ? disc_.viscosity : disc_.stiffness;
+  tables.has_rows = matrix.nonZeros() > 0;
+  if (!tables.has_rows) return;
+  rows_pattern_ = pattern_of(matrix);
+  const std::span<const double> values(matrix.valuePtr(),
+                                       static_cast<std::size_t>(matrix.nonZeros()));
   rows = with_row_factors(share_rows(rows_pattern_, values, 1), inverse_mass);
-  set_stencils(rows_table, rows);
-  set_general(rows_table, rows_pattern_, values.data());
-  rows_table.row_scale = inverse_mass.data();
-  add(tlsph::report(rows, rows_pattern_));
+  set_stencils(tables.rows, rows);
+  set_general(tables.rows, rows_pattern_, values.data());
+  tables.rows.row_scale = inverse_mass.data();
+  add_report(rows, rows_pattern_);
 }
 
 template <int D>
-void Storage<D>::add(const StorageReport& other) {
+void Storage<D>::add_report(const RowStorage& stored, const Neighbours& pattern) {
+  const StorageReport other = tlsph::report(stored, pattern);
   report.stencil_rows += other.stencil_rows;
   report.distinct_stencils += other.distinct_stencils;
   report.general_rows += other.general_rows;
@@ -180,36 +180,29 @@ void Storage<D>::add(const StorageReport& other) {
 /// beside G u and −Aᵀ κ beside D.
 template <int D>
 std::vector<double> Storage<D>::mode_forces() const {
-  if (!modes) return {};
+  if (!tables.modes) return {};
   const Neighbours& cells = disc_.divergence.pattern();
   std::vector<double> forces(cells.column.size());
   std::vector<Index> next(cells.start.begin(), cells.start.end() - 1);
   const Neighbours& nodes = disc_.gradient.pattern();
+  auto weight = disc_.hourglass.weights.begin();
   for (Index s = 0; s < nodes.rows(); ++s)
-    for (Index k = nodes.start[static_cast<std::size_t>(s)];
-         k < nodes.start[static_cast<std::size_t>(s) + 1]; ++k) {
-      const auto q = static_cast<std::size_t>(nodes.column[static_cast<std::size_t>(k)]);
-      const auto place = static_cast<std::size_t>(next[q]++);
+    for (const int q : nodes.of(s)) {
+      const auto place = static_cast<std::size_t>(next[static_cast<std::size_t>(q)]++);
       assert(cells.column[place] == s);
-      forces[place] =
-          -(disc_.hourglass.modulus[s] * disc_.hourglass.weights[static_cast<std::size_t>(k)]);
+      forces[place] = -(disc_.hourglass.modulus[s] * *weight++);
     }
   return forces;
 }
 
 template <int D>
-Dependences Storage<D>::dependences() const {
-  Dependences dep;
-  dep.points = disc_.points.size();
-  dep.nodes = disc_.nodes();
-  column_range(disc_.gradient.pattern(), dep.gradient_low, dep.gradient_high);
-  column_range(disc_.divergence.pattern(), dep.divergence_low, dep.divergence_high);
-  dep.point_readers = last_reader(disc_.gradient.pattern(), disc_.nodes());
-  if (has_rows) {
-    column_range(rows_pattern_, dep.rows_low, dep.rows_high);
-    dep.row_readers = last_reader(rows_pattern_, disc_.nodes());
-  }
-  return dep;
+PlanInput Storage<D>::plan_input() const {
+  PlanInput input;
+  input.points = stream_of(disc_.gradient.pattern(), disc_.nodes(), gradient);
+  column_range(disc_.divergence.pattern(), input.points.moving_low, input.points.moving_high);
+  if (tables.has_rows) input.rows = stream_of(rows_pattern_, disc_.nodes(), rows);
+  input.nodes = &divergence.runs;
+  return input;
 }
 
 template class Storage<1>;

@@ -14,6 +14,16 @@
 
 namespace tlsph::sweep {
 
+/// The operators as the loops read them.
+struct Operators {
+  RowWeights gradient, divergence;
+  RowWeights rows;     ///< of S or C; with `blocks`, of all that accelerations are made of
+  bool modes = false;  ///< A u is a direction of G, −Aᵀκ one of D
+  bool has_rows = false;
+  bool viscous = false;  ///< the rows are those of C and act on velocities
+  bool blocks = false;   ///< no point is needed
+};
+
 template <int D>
 class Storage {
  public:
@@ -24,16 +34,13 @@ class Storage {
   Storage& operator=(const Storage&) = delete;
   ~Storage() = default;
 
-  RowWeights gradient_table, divergence_table, rows_table;
-  bool modes = false;     ///< A u is a direction of G, −Aᵀκ one of D
-  bool viscous = false;   ///< the rows are those of C, else of S
-  bool has_rows = false;  ///< there is one of them
+  Operators tables;
   RowStorage gradient, divergence, rows;
   ScalarField inverse_mass;
   StorageReport report;
 
-  /// Which rows read which nodes and points.
-  [[nodiscard]] Dependences dependences() const;
+  /// The streams of a plan.
+  [[nodiscard]] PlanInput plan_input() const;
 
  private:
   /// The general rows of an operator that has them, into its table.
@@ -45,11 +52,13 @@ class Storage {
                               std::span<const double> modes, bool single, RowWeights& table);
   [[nodiscard]] std::vector<double> mode_forces() const;
   void add_rows();
-  void add(const StorageReport& other);
+  void add_report(const RowStorage& rows, const Neighbours& pattern);
 
   const Discretisation<D>& disc_;
   General general_gradient_, general_divergence_;
   Neighbours rows_pattern_;
 };
+
+void set_stencils(RowWeights& table, const RowStorage& rows);
 
 }  // namespace tlsph::sweep

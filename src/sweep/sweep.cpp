@@ -4,41 +4,23 @@
 #include <cmath>
 
 #include "stiffness.hpp"
-#include "storage.hpp"
-#include "tlsph/core/cpu_clock.hpp"
 #include "tlsph/core/team.hpp"
 #include "worker.hpp"
 
 namespace tlsph {
-namespace {
-
-sweep::Level level_of(Instructions instructions) {
-  switch (instructions) {
-    case Instructions::baseline:
-      return sweep::Level::baseline;
-    case Instructions::avx2:
-      return sweep::Level::avx2;
-    case Instructions::avx512:
-      return sweep::Level::avx512;
-    case Instructions::widest:
-      break;
-  }
-  return sweep::widest_level();
-}
-
-}  // namespace
 
 template <int D>
 struct Sweep<D>::Parts {
+  using Workers = std::vector<std::unique_ptr<sweep::Worker<D>>>;
+
   const Discretisation<D>& disc;
   int threads;
   TeamChoice choice;
   sweep::Storage<D> storage;
-  using Workers = std::vector<std::unique_ptr<sweep::Worker<D>>>;
-  sweep::SweepBody<D> shared;
+  sweep::SweepBody<D> body;
   Workers points;  // that go by the points
   std::optional<sweep::Stiffness<D>> stiffness;
-  sweep::SweepBody<D> shared_stiffness;
+  sweep::Operators product;
   Workers products;  // that multiply by that stiffness, if there is one
   std::vector<char> good;
   std::vector<double> curve_values;
@@ -46,29 +28,42 @@ struct Sweep<D>::Parts {
   Parts(const Discretisation<D>& discretisation, const SweepOptions& options)
       : disc(discretisation),
         threads(std::max(1, options.threads)),
-        storage(discretisation, options.single_weights) {
-    shared.disc = &disc;
-    shared.loops = &sweep::loops<D>(level_of(options.instructions));
-    shared.gradient = storage.gradient_table;
-    shared.divergence = storage.divergence_table;
-    shared.rows = storage.rows_table;
-    shared.modes = storage.modes;
-    shared.viscous = storage.viscous;
-    shared.has_rows = storage.has_rows;
-    shared.body_force = disc.has_body_force() && !options.linearised;
-    shared.laws = sweep::region_laws<D>(disc, *shared.loops, options.linearised);
-    shared.pressures.assign(disc.loads.size(), 0.0);
-    curve_values.assign(disc.constraints.curves.size(), 0.0);
-    good.assign(static_cast<std::size_t>(threads), 1);
+        storage(discretisation, options.single_weights),
+        body{.disc = disc, .loops = sweep::loops<D>(options.instructions)},
+        good(static_cast<std::size_t>(threads), 1),
+        curve_values(disc.constraints.curves.size(), 0.0) {
+    body.laws = sweep::region_laws<D>(disc, body.loops, options.linearised);
+    if (disc.has_body_force() && !options.linearised) body.body_force = disc.body_force;
+    body.pressures.assign(disc.loads.size(), 0.0);
     const BoundaryForces<D> booked(disc);
-    shared.constrained.assign(booked.nodes.size() * D, 0);
+    body.constrained.assign(booked.nodes.size() * D, 0);
     for (const auto* list : {&booked.fixed, &booked.held, &booked.moved})
-      for (const Index slot : *list) shared.constrained[static_cast<std::size_t>(slot)] = 1;
-    const std::vector<sweep::NodeLoad> loads =
-        options.linearised ? std::vector<sweep::NodeLoad>{} : node_loads();
-    plan_points(booked.nodes, loads);
-    if (options.form != StepForm::points && !options.linearised)
-      plan_products(booked.nodes, loads, options.form);
+      for (const Index slot : *list) body.constrained[static_cast<std::size_t>(slot)] = 1;
+
+    sweep::PlanInput input = storage.plan_input();
+    input.regions = sweep::regions_of_points(disc);
+    const auto workers = [&](const sweep::Operators& operators, sweep::PlanInput& plan) {
+      plan.components = D;
+      plan.booked = booked.nodes;
+      if (!options.linearised) plan.loads = node_loads();
+      Workers result;
+      for (int t = 0; t < threads; ++t)
+        result.push_back(std::make_unique<sweep::Worker<D>>(
+            body, operators,
+            make_plan(plan, disc.nodes() * t / threads, disc.nodes() * (t + 1) / threads,
+                      threads == 1)));
+      return result;
+    };
+    points = workers(storage.tables, input);
+    for (std::size_t t = 1; t < points.size(); ++t)
+      points[t - 1]->last_observed = points[t]->first_observed = points[t]->first_point();
+    points.back()->last_observed = disc.points.size();
+    if (options.form == StepForm::points || options.linearised) return;
+    compose(options.form == StepForm::stiffness);
+    if (!stiffness) return;
+    const std::vector<RowRun> all = {{0, static_cast<int>(disc.nodes()), 0, no_stencil}};
+    input = stiffness->plan_input(all);
+    products = workers(product, input);
   }
 
   [[nodiscard]] std::vector<sweep::NodeLoad> node_loads() const {
@@ -82,84 +77,49 @@ struct Sweep<D>::Parts {
     return loads;
   }
 
-  [[nodiscard]] Workers team(const sweep::SweepBody<D>& common, const sweep::Dependences& dep,
-                             const sweep::Operators& operators, const std::vector<int>& regions,
-                             const std::vector<Index>& booked,
-                             const std::vector<sweep::NodeLoad>& loads) const {
-    Workers result;
-    for (int t = 0; t < threads; ++t) {
-      const Index first = disc.nodes() * t / threads;
-      const Index last = disc.nodes() * (t + 1) / threads;
-      result.push_back(std::make_unique<sweep::Worker<D>>(
-          common,
-          sweep::make_plan(dep, operators, regions, booked, loads, D, first, last, threads == 1)));
-    }
-    return result;
-  }
-
-  void plan_points(const std::vector<Index>& booked, const std::vector<sweep::NodeLoad>& loads) {
-    const sweep::Operators operators{&storage.gradient.runs, &storage.divergence.runs,
-                                     storage.has_rows ? &storage.rows.runs : nullptr};
-    points = team(shared, storage.dependences(), operators, sweep::regions_of_points(disc), booked,
-                  loads);
-    for (std::size_t t = 0; t < points.size(); ++t)
-      points[t]->observe_points(
-          t == 0 ? 0 : points[t]->first_point(),
-          t + 1 == points.size() ? disc.points.size() : points[t + 1]->first_point());
-  }
-
-  void plan_products(const std::vector<Index>& booked, const std::vector<sweep::NodeLoad>& loads,
-                     StepForm form) {
-    const bool asked_for = form == StepForm::stiffness;
-    stiffness = sweep::stiffness_of(disc, storage, shared.laws,
+  /// The stiffness, if there is one and it is asked for or less work.
+  void compose(bool asked_for) {
+    stiffness = sweep::stiffness_of(disc, storage, body.laws,
                                     asked_for ? disc.nodes() : 64 + disc.nodes() / 16);
     if (stiffness && !asked_for && stiffness->work >= sweep::work_of_points(disc))
       stiffness.reset();
     if (!stiffness) return;
-    shared_stiffness = shared;
-    shared_stiffness.has_blocks = shared_stiffness.has_rows = true;
-    shared_stiffness.blocks = stiffness->table();
-    shared_stiffness.modes = false;
-    const std::vector<RowRun> none;
-    const std::vector<RowRun> all = {{0, static_cast<int>(disc.nodes()), 0, no_stencil}};
-    products = team(shared_stiffness, stiffness->dependences(),
-                    {&none, &all, &stiffness->runs, &stiffness->patches}, {}, booked, loads);
-  }
-
-  [[nodiscard]] bool all_good() const {
-    return std::ranges::all_of(good, [](char is) { return is != 0; });
-  }
-
-  void evaluate_loads(double time) {
-    for (std::size_t l = 0; l < disc.loads.size(); ++l)
-      shared.pressures[l] = value(disc.loads[l].curve, time);
+    product.rows = stiffness->table();
+    product.has_rows = product.blocks = true;
   }
 
   [[nodiscard]] const Workers& stepping() const { return stiffness ? products : points; }
 
-  /// The parts are the same whoever makes them, and so are the results.
-  void pass(const Workers& thread, const sweep::StepArguments<D>& step) {
-    in_parts(
-        choice, 1.0, threads, threads,
-        [&](int part) {
-          const auto t = static_cast<std::size_t>(part);
-          good[t] = thread[t]->before(step) ? 1 : 0;
-        },
-        [&](int part) {
-          const auto t = static_cast<std::size_t>(part);
-          if (good[t] != 0) good[t] = thread[t]->after(step) ? 1 : 0;
-        });
+  /// False where a state has no stress. The parts are the same whoever makes them, and so are the
+  /// results.
+  [[nodiscard]] bool pass(const Workers& workers, const sweep::StepArguments<D>& step) {
+    for (std::size_t l = 0; l < disc.loads.size(); ++l)
+      body.pressures[l] = value(disc.loads[l].curve, step.state.time);
+    const auto phase = [&](auto make) {
+      return [&, make](int part) {
+        const auto t = static_cast<std::size_t>(part);
+        good[t] = good[t] != 0 && ((*workers[t]).*make)(step);
+      };
+    };
+    std::ranges::fill(good, 1);
+    in_parts(choice, 1.0, threads, threads, phase(&sweep::Worker<D>::before),
+             phase(&sweep::Worker<D>::after));
+    return std::ranges::find(good, 0) == good.end();
   }
 
   /// Takes back what nodes have gone of the step and says what is wrong with the state.
   [[noreturn]] void fail(State<D>& state, double kick, double dt) {
-    for (const auto& part : stepping())
-      for (Index dof = part->first() * D; dof < part->reached() * D; ++dof)
-        if (disc.inverse_mass.data()[dof] != 0.0) state.u.data()[dof] -= dt * state.v.data()[dof];
+    const auto for_moved = [&](const auto& act) {
+      for (const auto& part : stepping())
+        for (Index dof = part->first() * D; dof < part->reached() * D; ++dof) act(dof);
+    };
+    for_moved([&](Index dof) {
+      if (disc.inverse_mass.data()[dof] != 0.0) state.u.data()[dof] -= dt * state.v.data()[dof];
+    });
     evaluate_unchecked<D>(disc, state);
-    for (const auto& part : stepping())
-      for (Index dof = part->first() * D; dof < part->reached() * D; ++dof)
-        state.v.data()[dof] -= kick * disc.inverse_mass.data()[dof] * state.f.data()[dof];
+    for_moved([&](Index dof) {
+      state.v.data()[dof] -= kick * disc.inverse_mass.data()[dof] * state.f.data()[dof];
+    });
     report_failure<D>(disc, state);
   }
 
@@ -185,30 +145,6 @@ bool Sweep<D>::possible(const Discretisation<D>& disc) {
          !disc.gradient.per_component() && !disc.divergence.per_component() && !rows_of_both;
 }
 
-bool available(Instructions instructions) {
-  return instructions == Instructions::widest || level_of(instructions) <= sweep::widest_level();
-}
-
-double peak_multiply_adds(Index rounds) {
-  double sum = 0.0;
-  const double start = cpu_seconds();
-  const Index done = sweep::loops<1>(sweep::widest_level()).multiply_adds(rounds, sum);
-  const double seconds = cpu_seconds() - start;
-  return sum > 0.0 ? static_cast<double>(done) / seconds : 0.0;
-}
-
-std::string widest_instructions() {
-  switch (sweep::widest_level()) {
-    case sweep::Level::avx512:
-      return "avx512";
-    case sweep::Level::avx2:
-      return "avx2";
-    case sweep::Level::baseline:
-      break;
-  }
-  return "baseline";
-}
-
 template <int D>
 Sweep<D>::Sweep(const Discretisation<D>& disc, const SweepOptions& options)
     : parts_(std::make_unique<Parts>(disc, options)) {}
@@ -218,11 +154,6 @@ Sweep<D>::Sweep(Sweep&&) noexcept = default;
 
 template <int D>
 Sweep<D>::~Sweep() = default;
-
-template <int D>
-BoundaryForces<D> Sweep<D>::boundary_forces() const {
-  return BoundaryForces<D>(parts_->disc);
-}
 
 template <int D>
 const sweep::Storage<D>& Sweep<D>::operators() const {
@@ -244,19 +175,12 @@ std::optional<double> Sweep<D>::stiffness_multiply_adds() const {
 template <int D>
 void Sweep<D>::step(State<D>& state, double dt, double next_time, BoundaryForces<D>& forces) {
   Parts& parts = *parts_;
-  const Discretisation<D>& disc = parts.disc;
-  parts.evaluate_loads(state.time);
-  if constexpr (D > 1)
-    if (disc.has_body_force()) forces.moment_of_mass = moment_of_mass<D>(disc, state.u);
-  std::ranges::copy(parts.shared.pressures, forces.load_values.begin());
+  if (D > 1 && parts.disc.has_body_force())
+    forces.moment_of_mass = moment_of_mass<D>(parts.disc, state.u);
   const double kick = 0.5 * (state.last_dt + dt);
-  const sweep::StepArguments<D> step{state.u.data(),          state.v.data(), kick, dt,
-                                     &parts.shared.pressures, &forces};
-  parts.pass(parts.stepping(), step);
-  if (!parts.all_good()) parts.fail(state, kick, dt);
-  forces.viscous_power = 0.0;
-  forces.viscous_power_after = 0.0;
-  forces.largest_speed = 0.0;
+  if (!parts.pass(parts.stepping(), {state, &forces, kick, dt})) parts.fail(state, kick, dt);
+  std::ranges::copy(parts.body.pressures, forces.load_values.begin());
+  forces.viscous_power = forces.viscous_power_after = forces.largest_speed = 0.0;
   for (const auto& part : parts.stepping()) {
     forces.viscous_power += part->viscous_power;
     forces.viscous_power_after += part->viscous_power_after;
@@ -270,17 +194,9 @@ void Sweep<D>::step(State<D>& state, double dt, double next_time, BoundaryForces
 
 template <int D>
 void Sweep<D>::evaluate(State<D>& state) {
-  Parts& parts = *parts_;
-  parts.evaluate_loads(state.time);
-  sweep::StepArguments<D> step;
-  step.u = state.u.data();
-  step.v = state.v.data();
-  step.pressures = &parts.shared.pressures;
-  step.observed = &state;
-  parts.pass(parts.points, step);
-  if (parts.all_good()) return;
-  evaluate_unchecked<D>(parts.disc, state);
-  report_failure<D>(parts.disc, state);
+  if (parts_->pass(parts_->points, {state})) return;
+  evaluate_unchecked<D>(parts_->disc, state);
+  report_failure<D>(parts_->disc, state);
 }
 
 template class Sweep<1>;

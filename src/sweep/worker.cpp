@@ -1,187 +1,197 @@
 #include "worker.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstring>
-#include <limits>
 
 namespace tlsph::sweep {
-namespace {
-
-std::size_t bytes(Index doubles) {
-  return static_cast<std::size_t>(doubles) * sizeof(double);
-}
-
-/// A law without loops, point by point.
-template <int D>
-bool apply_any(const RegionLaw<D>& region, double* const* field, Index first, Index count) {
-  double sum = 0.0;
-  std::visit(
-      [&](const auto& law) {
-        for (Index s = first; s < first + count; ++s) {
-          Tensor<D> H;
-          for (int i = 0; i < D; ++i)
-            for (int a = 0; a < D; ++a) H(i, a) = field[a][s * D + i];
-          const Tensor<D> P =
-              region.linearised ? law.dpk1(Tensor<D>::Zero(), H) : Tensor<D>(law.pk1(H));
-          sum += P(0, 0);
-          if (!region.linearised && !(law.margin(H) > 0.0))
-            sum = std::numeric_limits<double>::quiet_NaN();
-          for (int i = 0; i < D; ++i)
-            for (int a = 0; a < D; ++a) field[a][s * D + i] = P(i, a);
-        }
-      },
-      region.law);
-  return std::isfinite(sum);
-}
-
-}  // namespace
 
 template <int D>
-void Worker<D>::Store::allocate(int directions, Index rows, Index first) {
-  base = first;
-  for (int a = 0; a < directions; ++a) {
-    auto& values = field[static_cast<std::size_t>(a)];
-    values.assign(static_cast<std::size_t>(rows * D + overrun), 0.0);
-    direction[static_cast<std::size_t>(a)] = values.data();
-  }
-}
-
-template <int D>
-void Worker<D>::Store::shift(int directions, Index first, Index last) {
-  for (int a = 0; a < directions; ++a) {
-    double* values = direction[static_cast<std::size_t>(a)];
-    std::memmove(values, values + (first - base) * D, bytes((last - first) * D));
-  }
-  base = first;
-}
-
-template <int D>
-void Worker<D>::Store::copy_from(const Store& other, int directions, Index first, Index last) {
-  for (int a = 0; a < directions; ++a)
-    std::memcpy(direction[static_cast<std::size_t>(a)] + (first - base) * D,
-                other.direction[static_cast<std::size_t>(a)] + (first - other.base) * D,
-                bytes((last - first) * D));
-}
-
-template <int D>
-Worker<D>::Worker(const SweepBody<D>& shared, WorkerPlan plan)
-    : shared_(shared), plan_(std::move(plan)), size_(shared.disc->nodes() * D) {
-  points_.allocate(directions(), plan_.points_window, plan_.points_first);
-  points_kept_.allocate(directions(), plan_.points_kept_count, plan_.points_kept);
-  if (shared_.has_rows) {
-    rows_.allocate(1, plan_.rows_window, plan_.first_node);
-    rows_kept_.allocate(1, plan_.rows_kept_count, plan_.rows_kept);
-  }
-  acceleration_.assign(static_cast<std::size_t>(block_rows * D + overrun), 0.0);
+Worker<D>::Worker(const SweepBody<D>& body, const Operators& operators, WorkerPlan plan)
+    : body_(body),
+      op_(operators),
+      plan_(std::move(plan)),
+      acceleration_(static_cast<std::size_t>(block_rows * D + overrun), 0.0) {
+  const auto stream = [](int directions, const WorkerPlan::Window& window) {
+    return Stream{Fields<D>(directions, window.size, window.first),
+                  Fields<D>(directions, window.kept_count, window.kept)};
+  };
+  points_ = stream(op_.modes ? D + 1 : D, plan_.points);
+  if (op_.has_rows) rows_ = stream(1, plan_.rows);
 }
 
 template <int D>
 bool Worker<D>::before(const StepArguments<D>& step) {
-  points_.base = plan_.points_first;
-  rows_.base = plan_.first_node;
+  points_.window.base = plan_.points.first;
+  rows_.window.base = plan_.rows.first;
   reached_ = plan_.first_node;
   viscous_power = viscous_power_after = largest_speed = 0.0;
   return run(plan_.before, step);
 }
 
 template <int D>
-bool Worker<D>::after(const StepArguments<D>& step) {
-  return run(plan_.after, step);
-}
-
-template <int D>
 bool Worker<D>::run(const std::vector<Task>& tasks, const StepArguments<D>& step) {
-  for (const Task& task : tasks) switch (task.kind) {
-      case Task::Kind::points:
-        if (!points(task, points_, step)) return false;
+  for (const Task& task : tasks) {
+    Stream& stream = task.points ? points_ : rows_;
+    switch (task.kind) {
+      case Task::Kind::compute:
+      case Task::Kind::keep: {
+        Fields<D>& to = task.kind == Task::Kind::keep ? stream.kept : stream.window;
+        if (!(task.points ? points(task, to, step) : rows(task, to, step))) return false;
         break;
-      case Task::Kind::points_kept:
-        if (!points(task, points_kept_, step)) return false;
+      }
+      case Task::Kind::copy:
+        stream.window.copy_from(stream.kept, task.first, task.last);
         break;
-      case Task::Kind::points_copy:
-        points_.copy_from(points_kept_, directions(), task.first, task.last);
+      case Task::Kind::shift:
+        stream.window.shift(task.first, task.last);
         break;
-      case Task::Kind::points_shift:
-        points_.shift(directions(), task.first, task.last);
-        break;
-      case Task::Kind::rows:
-        if (!rows(task, rows_, step)) return false;
-        break;
-      case Task::Kind::rows_kept:
-        if (!rows(task, rows_kept_, step)) return false;
-        break;
-      case Task::Kind::rows_copy:
-        rows_.copy_from(rows_kept_, 1, task.first, task.last);
-        break;
-      case Task::Kind::rows_shift:
-        rows_.shift(1, task.first, task.last);
-        break;
-      case Task::Kind::nodes:
-        nodes(task, step);
+      case Task::Kind::move:
+        move(task, step);
         break;
     }
+  }
   return true;
 }
 
 template <int D>
-bool Worker<D>::points(const Task& task, Store& store, const StepArguments<D>& step) {
-  const bool observed = step.observed != nullptr;
-  const Loops<D>& loops = *shared_.loops;
-  const auto strain = [&](Runs some) {
-    (shared_.modes ? loops.gradient_and_modes : loops.gradient)(shared_.gradient, some, step.u,
-                                                                size_, store.window());
+bool Worker<D>::points(const Task& task, Fields<D>& to, const StepArguments<D>& step) {
+  const VectorField<D>& u = step.state.u;
+  const auto strain = [&](Part some) {
+    products().gradient(op_.gradient, runs(some), u.data(), u.size(), to.window());
   };
-  if (observed) {
-    strain(runs(plan_.gradient, task));
-    write_points(task, store, step.observed->H);
+  if (step.observed()) {
+    strain(task.runs);
+    observe_points(task, to, step.state.H);
   }
   bool good = true;
-  for (Index k = task.item; k < task.item + task.items; ++k) {
+  for (Index k = task.laws.first; k < task.laws.first + task.laws.count; ++k) {
     const LawSegment& segment = plan_.laws[static_cast<std::size_t>(k)];
-    const Runs own{plan_.gradient.data() + segment.run, segment.runs};
-    const RegionLaw<D>& law = shared_.laws[segment.region];
-    const Index first = segment.first - store.base;
-    double* const* field = store.direction.data();
-    if (law.loops == nullptr) {
-      if (!observed) strain(own);
-      good = apply_any<D>(law, field, first, segment.count) && good;
-    } else if (observed) {
-      good = law.loops->stress(law.text(), field, first, segment.count) && good;
+    const RegionLaw<D>& law = body_.laws[segment.region];
+    if (step.observed() || law.loops == nullptr) {
+      if (!step.observed()) strain(segment.runs);
+      good = law.stress(to.directions(), segment.first - to.base, segment.count) && good;
     } else {
-      const auto stress = shared_.modes ? law.loops->points_and_modes : law.loops->points;
-      good = stress(law.text(), shared_.gradient, own, step.u, size_, store.window()) && good;
+      good = law.loops->points[op_.modes](law.text(), op_.gradient, runs(segment.runs), u.data(),
+                                          u.size(), to.window()) &&
+             good;
     }
   }
-  if (observed) write_points(task, store, step.observed->P);
+  if (step.observed()) observe_points(task, to, step.state.P);
   return good;
 }
 
 template <int D>
-void Worker<D>::write_points(const Task& task, const Store& store, TensorField<D>& field) const {
-  if (field.rows() == 0) return;
-  const Index first = std::max(task.first, observed_first_);
-  const Index last = std::min(task.last, observed_last_);
-  for (Index s = first; s < last; ++s)
-    for (int i = 0; i < D; ++i)
-      for (int a = 0; a < D; ++a)
-        field.data()[s * D * D + i * D + a] =
-            store.direction[static_cast<std::size_t>(a)][(s - store.base) * D + i];
+void Worker<D>::observe_points(const Task& task, const Fields<D>& from,
+                               TensorField<D>& field) const {
+  if (field.rows() > 0)
+    from.write(field, std::max(task.first, first_observed), std::min(task.last, last_observed));
 }
 
 template <int D>
-bool Worker<D>::rows(const Task& task, Store& store, const StepArguments<D>& step) {
-  if (shared_.has_blocks) {
-    Vector<D> g = Vector<D>::Zero();
-    if (shared_.body_force) g = shared_.disc->body_force;
-    return shared_.loops->accelerations(shared_.blocks, runs(plan_.rows, task),
-                                        {plan_.rows.data() + task.patch, task.patches}, step.u,
-                                        size_, g.data(), store.direction[0], store.base);
-  }
-  shared_.loops->differences(shared_.rows, runs(plan_.rows, task),
-                             shared_.viscous ? step.v : step.u, size_, store.direction[0],
-                             store.base);
+bool Worker<D>::rows(const Task& task, Fields<D>& to, const StepArguments<D>& step) {
+  const VectorField<D>& x = op_.viscous ? step.state.v : step.state.u;
+  double* out = to.directions()[0];
+  if (op_.blocks)
+    return body_.loops.accelerations(op_.rows, runs(task.runs), runs(task.patches), x.data(),
+                                     x.size(), body_.body_force.data(), out, to.base);
+  body_.loops.differences(op_.rows, runs(task.runs), x.data(), x.size(), out, to.base);
   return true;
+}
+
+template <int D>
+void Worker<D>::move(const Task& task, const StepArguments<D>& step) {
+  State<D>& state = step.state;
+  if (step.observed()) return observe_nodes(task, state);
+  Motion motion{step.kick, step.dt, state.v.data(), state.u.data(), nullptr, rows_.window.base, {}};
+  if (op_.has_rows) motion.rows = rows_.window.directions()[0];
+  std::ranges::copy(body_.body_force, motion.body_force);
+  if (op_.viscous) viscous_power += power(task, state);
+  if (op_.blocks) {
+    move_special(task, task.runs, rows_.window.at(task.first), step, motion);
+  } else {
+    largest_speed = std::max(largest_speed, products().move(op_.divergence, runs(task.free),
+                                                            points_.window.window(), motion));
+    if (task.special.count > 0)
+      move_special(task, task.special, accelerate(task, task.special), step, motion);
+  }
+  if (op_.viscous) viscous_power_after += power(task, state);
+  reached_ = task.last;
+}
+
+/// Accelerations of some nodes of a block but for loads, from its start.
+template <int D>
+double* Worker<D>::accelerate(const Task& task, Part some) {
+  double* a = acceleration_.data();
+  products().divergence(op_.divergence, runs(some), points_.window.window(), a, task.first);
+  const bool body_force = !body_.body_force.isZero(0.0);
+  for (Index r = 0; r < some.count; ++r) {
+    const RowRun& run = runs(some).run[r];
+    double* own = a + (run.first - task.first) * D;
+    const Index length = static_cast<Index>(run.count) * D;
+    if (op_.has_rows) body_.loops.subtract(length, rows_.window.at(run.first), own);
+    if (body_force)
+      for (Index k = 0; k < length; ++k) own[k] += body_.body_force[k % D];
+  }
+  return a;
+}
+
+template <int D>
+void Worker<D>::add_loads(const Task& task, double* a) const {
+  for (Index k = task.loads.first; k < task.loads.first + task.loads.count; ++k) {
+    const NodeLoad& load = plan_.loads[static_cast<std::size_t>(k)];
+    a[load.dof - task.first * D] += body_.pressures[load.load] * load.weight;
+  }
+}
+
+template <int D>
+void Worker<D>::observe_nodes(const Task& task, State<D>& state) {
+  double* a = accelerate(task, task.runs);
+  add_loads(task, a);
+  const auto write = [&](const double* from, VectorField<D>& field) {
+    for (Index q = task.first; q < task.last; ++q)
+      for (int i = 0; i < D; ++i) field(q, i) = body_.disc.mass[q] * *from++;
+  };
+  write(a, state.f);
+  if (op_.viscous) write(rows_.window.at(task.first), state.viscous);
+}
+
+/// Of the viscous forces on a block.
+template <int D>
+double Worker<D>::power(const Task& task, const State<D>& state) const {
+  const double* row = rows_.window.at(task.first);
+  const double* v = state.v.data() + task.first * D;
+  double sum = 0.0;
+  for (Index k = 0; k < (task.last - task.first) * D; ++k)
+    sum += body_.disc.mass[task.first + k / D] * row[k] * v[k];
+  return sum;
+}
+
+/// Nodes of a block, from whose start `a` holds accelerations, with loads, records of forces and
+/// given motions: those accelerations become zero, and what a node is moved by is set later, by its
+/// curve.
+template <int D>
+void Worker<D>::move_special(const Task& task, Part some, double* a, const StepArguments<D>& step,
+                             Motion motion) {
+  BoundaryForces<D>& forces = *step.forces;
+  const auto for_booked = [&](const auto& act) {
+    for (Index k = task.booked.first; k < task.booked.first + task.booked.count; ++k)
+      for (int i = 0; i < D; ++i)
+        act(k, i, forces.nodes[static_cast<std::size_t>(k)],
+            body_.constrained[static_cast<std::size_t>(k * D + i)] != 0);
+  };
+  add_loads(task, a);
+  for_booked([&](Index k, int i, Index node, bool constrained) {
+    double& own = a[(node - task.first) * D + i];
+    forces.f(k, i) = body_.disc.mass[node] * own;
+    forces.u(k, i) = step.state.u(node, i);
+    forces.v(k, i) = step.state.v(node, i);
+    if (constrained) own = 0.0;
+  });
+  motion.rows = a;
+  motion.rows_base = task.first;
+  largest_speed = std::max(largest_speed, body_.loops.move_on(runs(some), motion));
+  for_booked([&](Index k, int i, Index node, bool constrained) {
+    if (constrained) step.state.u(node, i) = forces.u(k, i);
+  });
 }
 
 template class Worker<1>;

@@ -103,7 +103,7 @@ void sweep(benchmark::State& run, const Body& body, const SweepOptions& options)
   const Discretisation<D> disc = sheet<D>(body, run.range(0));
   State<D> state = at_rest<D>(disc);
   Sweep<D> sweep(disc, options);
-  BoundaryForces<D> forces = sweep.boundary_forces();
+  BoundaryForces<D> forces(disc);
   for (auto _ : run) sweep.step(state, dt, state.time + dt, forces);
   count(run, disc.nodes());
 }

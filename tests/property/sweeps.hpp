@@ -75,7 +75,7 @@ void expect_the_same_step(const Discretisation<D>& disc, double strain = 0.1,
     State<D> state = moving<D>(disc, strain);
     Sweep<D> sweep(disc, way);
     ASSERT_EQ(sweep.stiffness_multiply_adds().has_value(), form == StepForm::stiffness);
-    BoundaryForces<D> forces = sweep.boundary_forces();
+    BoundaryForces<D> forces(disc);
     WorkAndImpulse<D> own;
     sweep.step(state, dt, now + dt, forces);
     own.add_step(disc, forces, state, {way_here, dt, false});

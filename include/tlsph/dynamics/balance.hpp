@@ -13,7 +13,7 @@
 
 #include <vector>
 
-#include "tlsph/dynamics/instant.hpp"
+#include "tlsph/dynamics/state.hpp"
 
 namespace tlsph {
 

@@ -14,20 +14,13 @@
 
 namespace tlsph {
 
-template <int D>
-struct UnstablePoint {
-  Index point = -1;                         ///< material point
-  double acoustic_eigenvalue = 0.0;         ///< ρc² of its slowest plane wave [Pa], not positive
-  Vector<D> stretches = Vector<D>::Zero();  ///< principal ones, the largest first
-};
-
-/// The first time that a material point was seen beyond the limit.
+/// A material point beyond the limit.
 struct HyperbolicityLoss {
   double time = 0.0;                 ///< [s]
-  Index point = -1;                  ///< the worst material point then
+  Index point = -1;                  ///< number of the material point
   std::vector<double> position;      ///< of it in the reference configuration [m]
   std::vector<double> stretches;     ///< principal ones, the largest first
-  double acoustic_eigenvalue = 0.0;  ///< ρc² of its slowest plane wave [Pa]
+  double acoustic_eigenvalue = 0.0;  ///< ρc² of its slowest plane wave [Pa], not positive
 
   /// What happened, in words, for people.
   [[nodiscard]] std::string text() const;
@@ -36,7 +29,7 @@ struct HyperbolicityLoss {
 /// The material point furthest beyond the limit, nothing if every one carries waves. Points of laws
 /// that are linear in H always do and are not looked at.
 template <int D>
-[[nodiscard]] std::optional<UnstablePoint<D>> most_unstable_point(
+[[nodiscard]] std::optional<HyperbolicityLoss> most_unstable_point(
     const Discretisation<D>& discretisation, const State<D>& state);
 
 }  // namespace tlsph

@@ -75,11 +75,32 @@ struct NodalMotion {
   double velocity = 0.0, acceleration = 0.0;
 };
 
-/// a_n = (v_{n+½} − v_{n−½}) / ½(Δt_{n−1} + Δt_n) and v_n = v_{n−½} + ½ Δt_{n−1} a_n, if the coming
-/// step is `dt`. Needs `evaluate` before.
+/// What can be observed of a body at t_n: u, H and P of its state, and velocities and accelerations
+/// at the same time as displacements. A view: body and state must outlive it. H, P and f are those
+/// of t_n (`evaluate`), at least at the nodes and points that are asked for.
 template <int D>
-[[nodiscard]] NodalMotion motion_of(const Discretisation<D>& discretisation, const State<D>& state,
-                                    double dt, Index dof);
+struct Instant {
+  const Discretisation<D>& body;
+  const State<D>& state;
+  double dt = 0.0;  ///< the coming step [s]
+
+  [[nodiscard]] double time() const { return state.time; }
+  [[nodiscard]] long step() const { return state.step; }
+  [[nodiscard]] const VectorField<D>& u() const { return state.u; }  ///< N×d [m]
+  [[nodiscard]] const TensorField<D>& H() const { return state.H; }  ///< M×d², ∂u/∂X
+  [[nodiscard]] const TensorField<D>& P() const { return state.P; }  ///< M×d² [Pa]
+  /// a_n = (v_{n+½} − v_{n−½}) / ½(Δt_{n−1} + Δt_n) and v_n = v_{n−½} + ½ Δt_{n−1} a_n.
+  [[nodiscard]] NodalMotion motion(Index dof) const;
+  [[nodiscard]] VectorField<D> v() const { return field(&NodalMotion::velocity); }      ///< N×d
+  [[nodiscard]] VectorField<D> a() const { return field(&NodalMotion::acceleration); }  ///< N×d
+
+ private:
+  [[nodiscard]] VectorField<D> field(double NodalMotion::*part) const {
+    VectorField<D> values(body.nodes(), D);
+    for (Index dof = 0; dof < values.size(); ++dof) values.data()[dof] = motion(dof).*part;
+    return values;
+  }
+};
 
 /// Turns v(0), as `make_state` left it, into v_{−½}. Needs `evaluate` before.
 template <int D>

@@ -2,7 +2,7 @@
 /// \file
 /// Distance from an exact solution.
 
-#include "tlsph/dynamics/instant.hpp"
+#include "tlsph/dynamics/state.hpp"
 #include "tlsph/exact/exact.hpp"
 
 namespace tlsph {

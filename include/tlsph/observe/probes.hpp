@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tlsph/core/error.hpp"
-#include "tlsph/dynamics/instant.hpp"
+#include "tlsph/dynamics/state.hpp"
 #include "tlsph/observe/quantity.hpp"
 #include "tlsph/particles/interpolation.hpp"
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "tlsph/core/field.hpp"
-#include "tlsph/dynamics/instant.hpp"
 #include "tlsph/dynamics/measures.hpp"
+#include "tlsph/dynamics/state.hpp"
 #include "tlsph/exact/exact.hpp"
 
 namespace tlsph {

@@ -25,7 +25,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <vector>
 
 #include "tlsph/stepping/critical_step.hpp"
 #include "tlsph/sweep/strain_monitor.hpp"
@@ -52,10 +51,6 @@ class AdaptiveStep {
   [[nodiscard]] double step() const { return step_; }
   /// Starts with a shorter step [s].
   void shorten(double step) { step_ = steady_ = std::min(steady_, step); }
-  /// The strains of a state, and the largest relative deformation of a material point since.
-  [[nodiscard]] StrainField strains(const State<D>& state) const;
-  [[nodiscard]] double deformation(const State<D>& state, const StrainField& before) const;
-
   /// Says that no particle has moved by more than this [m] in a component since the step before.
   /// Lets the check be skipped while displacements are too small to matter, and forces one when
   /// speeds jump (impact).
@@ -111,8 +106,6 @@ class AdaptiveStep {
   void estimate(State<D>& state);
   void take_bound(State<D>& state);
   void limit_deformation(const State<D>& state, double rate, double most);
-
-  [[nodiscard]] double unit_stiffness() const;
 
   const Discretisation<D>& disc_;
   const Sweep<D>* sweep_ = nullptr;  ///< that strains and estimates are computed by

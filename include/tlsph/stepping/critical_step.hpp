@@ -32,4 +32,9 @@ template <int D>
     const Discretisation<D>& discretisation, const State<D>& state, double tolerance = 1e-3,
     const Sweep<D>* sweep = nullptr);
 
+/// γ = λ_max(M⁻¹ Gᵀ V G) [1/(Pa s²)]: the same operators with the unit tangent, to 5 %; the
+/// largest modulus where D is not the adjoint of G.
+template <int D>
+[[nodiscard]] double unit_stiffness(const Discretisation<D>& discretisation, const Sweep<D>* sweep);
+
 }  // namespace tlsph

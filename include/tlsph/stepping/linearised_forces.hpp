@@ -19,6 +19,9 @@ class LinearisedForces {
   /// same discretisation, which must outlive this too, lends its operators.
   LinearisedForces(const Discretisation<D>& discretisation, const State<D>& state,
                    const Sweep<D>* sweep = nullptr);
+  /// With the unit tangent in place of the laws', and without stabiliser.
+  explicit LinearisedForces(const Discretisation<D>& discretisation,
+                            const Sweep<D>* sweep = nullptr);
   LinearisedForces(const LinearisedForces&) = delete;
   LinearisedForces& operator=(const LinearisedForces&) = delete;
 
@@ -26,19 +29,19 @@ class LinearisedForces {
   /// thickness]. Signals do not change.
   void product(const VectorField<D>& x, VectorField<D>& force);
 
-  /// Entries of `inverse_mass` that are not zero, ascending.
-  [[nodiscard]] std::vector<Index> free_dofs() const;
-
-  /// M^-½ K M^-½ over the free degrees of freedom [1/s²], column by column, n² time; exactly
-  /// symmetric where D is the adjoint of G.
+  /// M^-½ K M^-½ over the free degrees of freedom, ascending [1/s²], column by column, n² time;
+  /// exactly symmetric where D is the adjoint of G.
   [[nodiscard]] SparseMatrix dynamical_matrix();
 
   /// M^-½ C M^-½ in the same order [1/s]; empty without viscosity.
   [[nodiscard]] SparseMatrix damping_matrix() const;
 
  private:
+  void prepare();
+  void apply_tangents();
+
   const Discretisation<D>& disc_;
-  const State<D>& state_;
+  const State<D>* state_ = nullptr;  // none: the unit tangent
   TensorField<D> H_;
   std::optional<Sweep<D>> sweep_;               // of large undeformed bodies, a tenth of the cost
   std::optional<StiffnessProduct<D>> tangent_;  // of large deformed ones, a quarter of it

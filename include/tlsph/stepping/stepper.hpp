@@ -136,7 +136,6 @@ class Stepper {
   void set_step(double wanted);
   void adapt();
   [[nodiscard]] bool alarmed() const;
-  void watch_hyperbolicity();
 
   const Discretisation<D>& body_;
   StepperOptions<D> options_;

@@ -33,15 +33,11 @@ class StrainMonitor {
   void store(const State<D>& state, StrainField& to);
   /// max ‖U − U₀‖ ‖U⁻¹‖, the largest relative deformation of a point between two states.
   [[nodiscard]] double deformation(const State<D>& state, const StrainField& before);
-  /// max λ_max(A(U) − A(U₀)), at most that and at least zero [Pa]; A each at its own memory.
-  [[nodiscard]] double stiffening(const State<D>& state, const StrainField& before,
-                                  const MemoryField& memory_before);
-
   struct Change {
-    double stiffening = 0.0;   ///< as above
+    double stiffening = 0.0;  ///< max λ_max(A(U) − A(U₀)), at most that and at least zero [Pa]
     double deformation = 0.0;  ///< as above
   };
-  /// Both at once, the strains stored in `to` on the way.
+  /// Both at once, A each at its own memory; the strains stored in `to`, which may be `before`.
   [[nodiscard]] Change change(const State<D>& state, const StrainField& before,
                               const MemoryField& memory_before, StrainField& to);
 

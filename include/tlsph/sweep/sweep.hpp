@@ -102,9 +102,6 @@ class Sweep {
   /// from the heap.
   void evaluate(State<D>& state);
 
-  /// An empty record of the right size for `step`.
-  [[nodiscard]] BoundaryForces<D> boundary_forces() const;
-
   /// The operators as it reads them; for this room.
   [[nodiscard]] const sweep::Storage<D>& operators() const;
 

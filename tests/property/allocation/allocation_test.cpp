@@ -136,7 +136,7 @@ long allocations_of_ten_sweeps(const Discretisation<D>& disc, const Probes<D>& p
   SweepOptions options;
   options.threads = worth_threads(disc.nodes()) ? omp_get_max_threads() : 1;
   Sweep<D> sweep(disc, options);
-  BoundaryForces<D> forces = sweep.boundary_forces();
+  BoundaryForces<D> forces(disc);
   const PartialEvaluation<D> probed(disc, probes.nodes(), probes.points());
   std::vector<double> row(probes.columns().size());
   WorkAndImpulse<D> done;

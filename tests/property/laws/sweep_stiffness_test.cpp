@@ -78,7 +78,7 @@ TEST(SweepOfStiffness, KeepsMomentaOfAFreeBody) {
   const Eigen::Vector3d before = momenta();
   const double size = disc.mass.sum() * state.v.cwiseAbs().maxCoeff();
   Sweep<2> sweep(disc, {1, false, Instructions::widest, false, StepForm::stiffness});
-  BoundaryForces<2> forces = sweep.boundary_forces();
+  BoundaryForces<2> forces(disc);
 
   for (int n = 1; n <= 100; ++n) sweep.step(state, dt, now + n * dt, forces);
 
@@ -92,7 +92,7 @@ TEST(SweepOfStiffness, MovesNothingThatIsCarried) {
                                  VectorField<2>::Zero(disc.nodes(), 2));
   state.last_dt = dt;
   Sweep<2> sweep(disc, {1, false, Instructions::widest, false, StepForm::stiffness});
-  BoundaryForces<2> forces = sweep.boundary_forces();
+  BoundaryForces<2> forces(disc);
 
   sweep.step(state, dt, dt, forces);
 
@@ -128,7 +128,7 @@ TEST(SweepOfStiffness, RestoresTheStateThatHasNoStress) {
     for (const SweepOptions& way : ways(form)) {
       State<2> state = broken();
       Sweep<2> sweep(disc, way);
-      BoundaryForces<2> forces = sweep.boundary_forces();
+      BoundaryForces<2> forces(disc);
 
       EXPECT_THROW(sweep.step(state, dt, now + dt, forces), NumericalError);
 

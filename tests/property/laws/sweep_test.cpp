@@ -84,7 +84,7 @@ TEST(Sweep, KeepsRunsOfAsManyThreadsBitIdentical) {
   const auto run = [&] {
     State<2> state = moving<2>(disc);
     Sweep<2> sweep(disc, {2, false, Instructions::widest});
-    BoundaryForces<2> forces = sweep.boundary_forces();
+    BoundaryForces<2> forces(disc);
     for (int n = 1; n <= 50; ++n) sweep.step(state, dt, now + n * dt, forces);
     return state.u;
   };
@@ -112,7 +112,7 @@ TEST(Sweep, RestoresTheStateThatHasNoStress) {
   for (const SweepOptions& way : ways()) {
     State<2> state = broken();
     Sweep<2> sweep(disc, way);
-    BoundaryForces<2> forces = sweep.boundary_forces();
+    BoundaryForces<2> forces(disc);
 
     EXPECT_THROW(sweep.step(state, dt, now + dt, forces), NumericalError);
 
@@ -132,7 +132,7 @@ TEST(Sweep, WithSingleWeightsDiffersByTheirRounding) {
   const double change = dt * disc.inverse_mass.maxCoeff() * expected.f.cwiseAbs().maxCoeff();
   advance<2>(disc, expected, dt, now + dt);
   Sweep<2> sweep(disc, {1, true, Instructions::widest});
-  BoundaryForces<2> forces = sweep.boundary_forces();
+  BoundaryForces<2> forces(disc);
   State<2> state = moving<2>(disc);
   State<2> carried = make_state<2>(disc, VectorField<2>::Constant(disc.nodes(), 2, 7.0),
                                    VectorField<2>::Zero(disc.nodes(), 2));

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "tlsph/dynamics/displacement_motion.hpp"
 #include "tlsph/materials/kinematics.hpp"
 #include "unit/dynamics/bodies.hpp"
+#include "unit/dynamics/displacement_motion.hpp"
 
 namespace tlsph {
 namespace {
