@@ -38,7 +38,7 @@ void keep_write_errors() {
 ExitCode run_program(int argc, const char* const* argv) {
   try {
     const auto line = tlsph::parse_command_line(argc, argv);
-    return line ? tlsph::execute(*line) : ExitCode::done;
+    return line ? line->command(*line) : ExitCode::done;
   } catch (const tlsph::Stopped&) {
     return tlsph::interruption();
   } catch (const tlsph::InputError& error) {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "probe_values.hpp"
+#include "readings.hpp"
 #include "tlsph/core/dimensions.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/model/builder.hpp"
@@ -63,11 +63,15 @@ std::vector<std::vector<std::string>> combinations(const std::vector<Variation>&
   return result;
 }
 
-template <int D>
-void divide(PlannedRun& run) {
-  const Particles<D> particles = build_particles<D>(run.scene);
-  run.spacing = particles.spacing;
-  run.particles = particles.size();
+/// The run of a scene with its spacing and number of particles.
+PlannedRun divided(Scene scene) {
+  PlannedRun run{std::move(scene), {}, {}};
+  in_dimension(run.scene.dimension, [&]<int D>() {
+    const Particles<D> particles = build_particles<D>(run.scene);
+    run.row.spacing = particles.spacing;
+    run.row.particles = particles.size();
+  });
+  return run;
 }
 
 std::filesystem::path stem_of(const std::string& file) {
@@ -77,18 +81,6 @@ std::filesystem::path stem_of(const std::string& file) {
 template <int D>
 bool same_particles(const Scene& a, const Scene& b) {
   return build_particles<D>(a).X == build_particles<D>(b).X;
-}
-
-/// Builds all a run is made of and lets it go.
-template <int D>
-void check_buildable(const Scene& scene) {
-  const Discretisation<D> disc = build<D>(scene);
-  (void)build_initial<D>(scene, disc);
-  (void)build_exact<D>(scene, disc);
-  std::vector<ProbeRequest<D>> probes;
-  for (const ProbeScene& probe : scene.probes)
-    probes.push_back({probe.name, Eigen::Map<const Vector<D>>(probe.at.data()), {}});
-  (void)Probes<D>(disc, probes);
 }
 
 /// Plans one series after the other.
@@ -111,28 +103,32 @@ class Planner {
   }
 
   PlannedSeries series(const std::vector<std::string>& values) {
-    PlannedSeries series;
     std::vector<std::string> chosen;  // overrides
+    std::vector<std::string> over;
     std::string keys;
     for (std::size_t v = 0; v < values.size(); ++v) {
       chosen.push_back(variations_[v].key + "=" + values[v]);
       if (variations_[v].key == "formulation") continue;
-      series.over.push_back(values[v]);
+      over.push_back(values[v]);
       keys += " " + chosen.back();
     }
-    series.levels = request_.clouds.empty() ? by_spacing(chosen) : by_cloud(chosen);
-    const Scene& coarsest = series.levels.front().front().scene;
-    series.formulation = name_of(coarsest.formulation);
-    series.label = series.formulation + keys;
-    std::string folder = series.label;
+    PlannedSeries levels = request_.clouds.empty() ? by_spacing(chosen) : by_cloud(chosen);
+    const Scene& coarsest = levels.front().front().scene;
+    const std::string formulation(name_of(coarsest.formulation));
+    std::string folder = formulation + keys;
     std::ranges::replace_if(
         folder, [](char c) { return c == ' ' || c == '/'; }, '_');
-    for (auto& level : series.levels)
-      for (PlannedRun& run : level) run.folder = folder / run.folder;
-    check_levels(series.levels.size(), coarsest);
-    check_seeds(series.levels.front());
-    in_dimension(coarsest.dimension, [&]<int D>() { check_buildable<D>(coarsest); });
-    return series;
+    for (auto& level : levels)
+      for (PlannedRun& run : level) {
+        run.row.series = formulation + keys;
+        run.row.formulation = formulation;
+        run.row.over = over;
+        run.folder = folder / run.folder;
+      }
+    check_levels(levels.size(), coarsest);
+    check_seeds(levels.front());
+    check_buildable(coarsest);
+    return levels;
   }
 
  private:
@@ -145,21 +141,20 @@ class Planner {
     return read_scene(request_.scene, overrides);
   }
 
-  std::vector<std::vector<PlannedRun>> by_spacing(const std::vector<std::string>& chosen) const {
-    std::vector<std::vector<PlannedRun>> levels;
+  PlannedSeries by_spacing(const std::vector<std::string>& chosen) const {
+    PlannedSeries levels;
     for (const double spacing : spacings_) {
-      PlannedRun run;
       std::vector<std::string> overrides = chosen;
       overrides.push_back(fmt::format("body.spacing={}", spacing));
-      run.scene = scene_of(overrides);
-      if (levels.empty()) check_levels(spacings_.size(), run.scene);
+      Scene scene = scene_of(overrides);
+      if (levels.empty()) check_levels(spacings_.size(), scene);
+      PlannedRun run = divided(std::move(scene));
       run.folder = fmt::format("{}", spacing);
-      in_dimension(run.scene.dimension, [&]<int D>() { divide<D>(run); });
-      if (!levels.empty() && !(run.spacing < levels.back().front().spacing * (1.0 - 1e-9)))
+      if (!levels.empty() && !(run.row.spacing < levels.back().front().row.spacing * (1.0 - 1e-9)))
         throw InputError(spacing_option,
                          fmt::format("{} divides the body like the spacing before it, into {}; "
                                      "leave one out",
-                                     spacing, run.spacing));
+                                     spacing, run.row.spacing));
       levels.push_back(request_.seeds.empty() ? std::vector{run} : seeded(run, overrides));
     }
     return levels;
@@ -169,36 +164,38 @@ class Planner {
     std::vector<PlannedRun> samples(request_.seeds.size(), run);
     overrides.emplace_back();
     for (std::size_t k = 0; k < samples.size(); ++k) {
-      samples[k].sample = fmt::format("{}", request_.seeds[k]);
-      overrides.back() = "body.seed=" + samples[k].sample;
+      std::string& sample = samples[k].row.sample;
+      sample = fmt::format("{}", request_.seeds[k]);
+      overrides.back() = "body.seed=" + sample;
       samples[k].scene = scene_of(overrides);
-      samples[k].folder /= "seed-" + samples[k].sample;
+      samples[k].folder /= "seed-" + sample;
     }
     return samples;
   }
 
-  std::vector<std::vector<PlannedRun>> by_cloud(const std::vector<std::string>& chosen) const {
+  PlannedSeries by_cloud(const std::vector<std::string>& chosen) const {
     std::vector<PlannedRun> runs;
     for (const std::string& cloud : request_.clouds) {
-      PlannedRun run;
       const auto namesakes = std::ranges::count(
-          runs, stem_of(cloud), [](const PlannedRun& other) { return stem_of(other.sample); });
+          runs, stem_of(cloud), [](const PlannedRun& other) { return stem_of(other.row.sample); });
       std::vector<std::string> overrides = chosen;
       // Quoted: a path is a text, whatever it looks like.
       overrides.push_back(
           fmt::format("body.cloud='{}'", std::filesystem::absolute(cloud).string()));
-      run.scene = scene_of(overrides);
-      run.scene.body.spacing = 0.0;  // its own, not one for all
-      run.sample = cloud;
+      Scene scene = scene_of(overrides);
+      scene.body.spacing = 0.0;  // its own, not one for all
+      PlannedRun run = divided(std::move(scene));
+      run.row.sample = cloud;
       run.folder = stem_of(cloud);
       if (namesakes > 0) run.folder += fmt::format("-{}", namesakes + 1);
-      in_dimension(run.scene.dimension, [&]<int D>() { divide<D>(run); });
       runs.push_back(std::move(run));
     }
-    std::ranges::stable_sort(runs, {}, &PlannedRun::particles);
-    std::vector<std::vector<PlannedRun>> levels;
+    const auto particles = [](const PlannedRun& run) { return run.row.particles; };
+    std::ranges::stable_sort(runs, {}, particles);
+    PlannedSeries levels;
     for (PlannedRun& run : runs) {
-      if (levels.empty() || levels.back().front().particles != run.particles) levels.emplace_back();
+      if (levels.empty() || particles(levels.back().front()) != particles(run))
+        levels.emplace_back();
       levels.back().push_back(std::move(run));
     }
     return levels;
@@ -254,13 +251,25 @@ void check_formulations(const std::vector<std::string>& names) {
                                                        choices<Formulation>()));
 }
 
+void check_buildable(const Scene& scene) {
+  in_dimension(scene.dimension, [&]<int D>() {
+    const Discretisation<D> disc = build<D>(scene);
+    (void)build_initial<D>(scene, disc);
+    (void)build_exact<D>(scene, disc);
+    std::vector<ProbeRequest<D>> probes;
+    for (const ProbeScene& probe : scene.probes)
+      probes.push_back({probe.name, Eigen::Map<const Vector<D>>(probe.at.data()), {}});
+    (void)Probes<D>(disc, probes);
+  });
+}
+
 ConvergencePlan plan_convergence(const ConvergenceRequest& request) {
   Planner planner(request);
   ConvergencePlan plan;
   for (const std::vector<std::string>& values : combinations(variations_of(request)))
     plan.series.push_back(planner.series(values));
   const auto exact = [](const PlannedSeries& series) {
-    return series.levels.front().front().scene.exact != ExactKind::none;
+    return series.front().front().scene.exact != ExactKind::none;
   };
   plan.method = exact(plan.series.front()) ? ConvergenceMethod::exact : ConvergenceMethod::probes;
   for (const PlannedSeries& series : plan.series)

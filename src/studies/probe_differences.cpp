@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "tlsph/analysis/history.hpp"
-#include "tlsph/analysis/not_known.hpp"
 #include "tlsph/analysis/order.hpp"
 #include "tlsph/io/csv.hpp"
 #include "tlsph/scene/names.hpp"
@@ -68,18 +68,23 @@ History extrapolated(const History& coarse, const History& fine, double ratio,
   return limit;
 }
 
-void write_history(const std::filesystem::path& file, const History& history) {
-  std::vector<std::string> columns = {"time"};
-  columns.insert(columns.end(), history.names.begin(), history.names.end());
-  CsvWriter csv(file, columns);
+void write_columns(const std::filesystem::path& file, const std::vector<std::string>& names,
+                   const std::vector<std::vector<double>>& columns) {
+  CsvWriter csv(file, names);
   std::vector<double> row(columns.size());
-  for (std::size_t k = 0; k < history.time.size(); ++k) {
-    row[0] = history.time[k];
-    for (std::size_t column = 0; column < history.names.size(); ++column)
-      row[column + 1] = history.values[column][k];
-    csv.row(std::span<const double>(row));
+  for (std::size_t k = 0; k < columns.front().size(); ++k) {
+    for (std::size_t c = 0; c < columns.size(); ++c) row[c] = columns[c].at(k);
+    csv.row(row);
   }
   csv.close();
+}
+
+void write_history(const std::filesystem::path& file, const History& history) {
+  std::vector<std::string> names = {"time"};
+  std::vector<std::vector<double>> columns = {history.time};
+  std::ranges::copy(history.names, std::back_inserter(names));
+  std::ranges::copy(history.values, std::back_inserter(columns));
+  write_columns(file, names, columns);
 }
 
 }  // namespace tlsph

@@ -31,6 +31,9 @@ namespace tlsph {
                                    const std::vector<std::string>& quantities,
                                    const std::vector<double>& orders);
 
+/// Writes columns of equal length as comma-separated values. OutputError.
+void write_columns(const std::filesystem::path& file, const std::vector<std::string>& names,
+                   const std::vector<std::vector<double>>& columns);
 /// Writes `history` as probes.csv is written. OutputError.
 void write_history(const std::filesystem::path& file, const History& history);
 

@@ -1,6 +1,7 @@
 #include "tlsph/studies/validation.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sys/types.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -27,11 +28,12 @@ namespace {
 namespace fs = std::filesystem;
 
 std::vector<Case> chosen_cases(std::span<const Case> cases, const ValidationOptions& options) {
-  std::string names;
-  for (const Case& entry : cases) names.append(names.empty() ? "" : " | ").append(entry.name);
+  std::vector<std::string_view> names;
+  for (const Case& entry : cases) names.push_back(entry.name);
   for (const std::string& name : options.only)
-    if (std::ranges::find(cases, name, &Case::name) == cases.end())
-      throw InputError(fmt::format("there is no case \"{}\"; choose from {}", name, names));
+    if (std::ranges::find(names, name) == names.end())
+      throw InputError(
+          fmt::format("there is no case \"{}\"; choose from {}", name, fmt::join(names, " | ")));
   std::vector<Case> chosen;
   for (const Case& entry : cases) {
     const bool named =
@@ -117,18 +119,23 @@ class Validation {
   }
 
   ValidationTable run() {
-    const auto places = static_cast<std::size_t>(
-        options_.at_once > 0 ? options_.at_once
-                             : static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
+    const std::size_t places = options_.at_once > 0
+                                   ? static_cast<std::size_t>(options_.at_once)
+                                   : std::max(1U, std::thread::hardware_concurrency());
+    ValidationTable table;
+    table.version = version();
     while (!waiting_.empty() || !workers_.empty()) {
-      if (stopped()) break;
+      table.interrupted = stopped();
+      if (table.interrupted) break;
       while (!waiting_.empty() && workers_.size() < places) start_next();
       if (!gather()) {
         if (options_.progress) options_.progress(running(), share());
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
       }
     }
-    return table();
+    for (const auto& result : results_)
+      if (result) table.cases.push_back(*result);
+    return table;
   }
 
  private:
@@ -136,7 +143,6 @@ class Validation {
     if (!options_.stopped()) return false;
     for (const Worker& worker : workers_) kill(worker.process, SIGTERM);
     for (const Worker& worker : workers_) waitpid(worker.process, nullptr, 0);
-    interrupted_ = true;
     return true;
   }
 
@@ -181,19 +187,10 @@ class Validation {
 
   [[nodiscard]] double share() const { return done_ / total_; }
 
-  [[nodiscard]] std::vector<std::string> running() const {
-    std::vector<std::string> names;
-    for (const Worker& worker : workers_) names.emplace_back(cases_[worker.index].name);
-    return names;
-  }
-
-  [[nodiscard]] ValidationTable table() const {
-    ValidationTable table;
-    table.version = version();
-    table.interrupted = interrupted_;
-    for (const auto& result : results_)
-      if (result) table.cases.push_back(*result);
-    return table;
+  [[nodiscard]] std::string running() const {
+    std::vector<std::string_view> names;
+    for (const Worker& worker : workers_) names.push_back(cases_[worker.index].name);
+    return fmt::format("running {}", fmt::join(names, ", "));
   }
 
   std::vector<Case> cases_;
@@ -203,7 +200,6 @@ class Validation {
   std::vector<Worker> workers_;
   std::vector<std::optional<CaseResult>> results_;
   double total_ = 0.0, done_ = 0.0;
-  bool interrupted_ = false;
 };
 
 }  // namespace

@@ -66,7 +66,6 @@ struct FitTable {
 /// `out` holds scene.toml, fit.json, fit.csv and what runs leave.
 struct FitOptions : StudyOptions {
   int threads = 1;
-  std::function<void(const std::string& what, double share)> progress;  ///< several times a second
   std::function<void(const FitTable&)> after_choice;  ///< the scene is chosen and written
 };
 

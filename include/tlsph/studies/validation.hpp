@@ -183,8 +183,6 @@ struct ValidationOptions : StudyOptions {
   bool figures = true;
   /// Called when a case ends, with the share of the work that is done.
   std::function<void(const CaseResult&, double share)> after_case;
-  /// Called about five times a second with the names of what runs.
-  std::function<void(const std::vector<std::string>& running, double share)> progress;
 };
 
 /// Runs cases side by side, each in a process of its own, so that one that crashes is one that

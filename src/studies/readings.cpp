@@ -1,4 +1,4 @@
-#include "probe_values.hpp"
+#include "readings.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "tlsph/analysis/oscillation.hpp"
+#include "tlsph/analysis/history.hpp"
 #include "tlsph/core/dimensions.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/observe/probes.hpp"
@@ -19,11 +19,8 @@ namespace {
 const Place value_option{"--value", 0, 0, ""};
 constexpr std::array<std::string_view, 5> words = {"end", "max", "min", "peak", "period"};
 
-struct ValueName {
-  std::string column, word;
-};
-
-ValueName split(const std::string& name) {
+/// Column and word of a name.
+std::pair<std::string, std::string> split(const std::string& name) {
   const auto dot = name.rfind('.');
   if (dot == std::string::npos) return {name, ""};
   return {name.substr(0, dot), name.substr(dot + 1)};
@@ -50,6 +47,27 @@ double read_value(const std::string& word, const std::vector<double>& time,
 }
 
 }  // namespace
+
+std::optional<ProbedRun> run_probed(const Scene& scene, RunOptions options, bool with_history) {
+  ProbeHistories histories;
+  if (with_history) options.histories = &histories;
+  Summary summary = run(scene, options);
+  if (summary.interrupted) return std::nullopt;
+  return ProbedRun{std::move(summary), std::move(histories.computed)};
+}
+
+std::vector<std::string> error_field_names() {
+  std::vector<std::string> names;
+  for (const ErrorField& field : error_fields) names.emplace_back(field.name);
+  return names;
+}
+
+std::vector<double> errors_of(const Summary& summary) {
+  std::vector<double> errors;
+  if (summary.errors)
+    for (const ErrorField& field : error_fields) errors.push_back((*summary.errors).*field.error);
+  return errors;
+}
 
 void check_value_names(const std::vector<std::string>& names, const Scene& scene) {
   const std::vector<std::string> columns =
