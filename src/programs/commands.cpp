@@ -4,11 +4,9 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
 #include <optional>
 
-#include "interrupt.hpp"
 #include "progress.hpp"
 #include "report.hpp"
 #include "tlsph/cases/cases.hpp"
@@ -41,6 +39,12 @@ std::filesystem::path output_of(const CommandLine& line, const char* study) {
   return line.out.empty() ? "out" / line.scene.stem().concat(study) : line.out;
 }
 
+/// From now on the first signal is a request, which sets the flag this returns.
+const std::atomic<bool>* catch_interrupts() {
+  may_end_at_once() = false;
+  return &stop_flag();
+}
+
 void set_study(StudyOptions& options, const std::filesystem::path& out, ProgressDisplay& display) {
   options.out = out;
   options.stop_requested = catch_interrupts();
@@ -64,10 +68,6 @@ std::string threads_note(const CommandLine& line, const std::filesystem::path& o
 }
 
 }  // namespace
-
-ExitCode interruption() {
-  return interrupt_received() == SIGTERM ? ExitCode::terminated : ExitCode::interrupted;
-}
 
 ExitCode run_scene(const CommandLine& line) {
   const Scene scene = read_scene(line.scene, line.overrides);

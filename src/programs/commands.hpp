@@ -63,7 +63,7 @@ ExitCode validate_cases(const CommandLine& line);
 ExitCode benchmark_steps(const CommandLine& line);
 ExitCode print_reference(const CommandLine& line);
 
-/// Exit code of a command that a signal stopped.
+/// Exit code of a command that a signal stopped: 128 + the signal's number.
 [[nodiscard]] ExitCode interruption();
 
 }  // namespace tlsph

@@ -1,7 +1,6 @@
 #include "chart_families.hpp"
 
 #include <fmt/format.h>
-
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -40,33 +39,25 @@ std::vector<std::string> kernels_from(std::string_view first) {
 }
 
 std::vector<Choices> choices_in(int dimension) {
+  using Supports = std::vector<std::optional<double>>;
   const bool plane = dimension == 2;
   const auto adjoint = kernels_from("wendland-c2");
   const auto ghosted = kernels_from("modified-mollifier");
-  const std::vector<Stabiliser> held = {pair, viscous, no_stabiliser};
-  std::vector<Choices> all;
-  // The nodes of a cell know no kernel, but a choice of stabilisers that supports do not have.
-  all.push_back({Formulation::stress_point,
-                 {"wendland-c2"},
-                 {std::nullopt},
-                 {1},
-                 plane ? std::vector{cell, no_stabiliser, pair} : std::vector{no_stabiliser}});
-  all.push_back({Formulation::consistent,
-                 adjoint,
-                 plane ? std::vector<std::optional<double>>{3.6, 3.1, 2.6}
-                       : std::vector<std::optional<double>>{3.1, 2.6, 2.1},
-                 {plane ? 2 : 1},
-                 {pair, viscous, no_stabiliser}});
-  all.push_back({Formulation::variational,
-                 adjoint,
-                 {2.5, 1.6, 2.1, 3.1, 3.6},
-                 {1, 2},
-                 plane ? held : std::vector{no_stabiliser, pair, viscous}});
-  if (plane) all.push_back({Formulation::consistent, adjoint, {2.6, 2.1}, {1}, {pair, viscous}});
-  all.push_back({Formulation::mirror, ghosted, {2.5, 1.5, 3.5}, {1}, {no_stabiliser}});
-  all.push_back({Formulation::thesis, ghosted, {2.5, 1.5, 3.5}, {1}, {no_stabiliser}});
-  all.push_back({Formulation::stress_point, adjoint, {1.8, 2.5}, {1, 2}, {no_stabiliser, pair}});
-  return all;
+  const std::vector<Stabiliser> none = {no_stabiliser}, held = {pair, viscous, no_stabiliser},
+                                free = {no_stabiliser, pair, viscous},
+                                cells = {cell, no_stabiliser, pair};
+  // Corrected to degree 1 where degree 2 is the default.
+  const Supports linear = plane ? Supports{2.6, 2.1} : Supports{};
+  const Supports corrected = plane ? Supports{3.6, 3.1, 2.6} : Supports{3.1, 2.6, 2.1};
+  return {
+      // The nodes of a cell know no kernel, but a choice of stabilisers that supports do not have.
+      {Formulation::stress_point, {"wendland-c2"}, {std::nullopt}, {1}, plane ? cells : none},
+      {Formulation::consistent, adjoint, corrected, {plane ? 2 : 1}, held},
+      {Formulation::variational, adjoint, {2.5, 1.6, 2.1, 3.1, 3.6}, {1, 2}, plane ? held : free},
+      {Formulation::consistent, adjoint, linear, {1}, {pair, viscous}},
+      {Formulation::mirror, ghosted, {2.5, 1.5, 3.5}, {1}, none},
+      {Formulation::thesis, ghosted, {2.5, 1.5, 3.5}, {1}, none},
+      {Formulation::stress_point, adjoint, {1.8, 2.5}, {1, 2}, {no_stabiliser, pair}}};
 }
 
 ChartFamily family_of(const Choices& choices, std::size_t kernel, std::size_t support,

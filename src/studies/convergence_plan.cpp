@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 
 #include "readings.hpp"
 #include "tlsph/core/dimensions.hpp"
@@ -28,39 +30,46 @@ void check_once(const Place& option, const std::vector<T>& entries) {
       throw InputError(option, fmt::format("{} stands twice; each once", *entry));
 }
 
-/// Formulations first, then the other keys in their order; each value with each. What a study has
-/// an option for is refused as a key.
-std::vector<Variation> variations_of(const ConvergenceRequest& request) {
+/// What a series sets beside the sizes of its particles.
+struct Choice {
+  std::vector<std::string> overrides;
+  std::vector<std::string> over;  // values of the compared keys
+  std::string keys;               // " key=value" for each of these
+};
+
+/// Formulations first, then the other keys in their order; each value with each, the last key turns
+/// fastest. A key that a study has an option for is refused.
+std::vector<Choice> choices_of(const ConvergenceRequest& request) {
+  constexpr std::array<std::pair<const char*, const char*>, 4> options = {
+      {{"formulation", "--formulation"},
+       {"body.spacing", "--spacing"},
+       {"body.seed", "--seed"},
+       {"body.cloud", "--cloud"}}};
   check_once(formulation_option, request.formulations);
   check_formulations(request.formulations);
-  std::vector<Variation> variations;
-  if (!request.formulations.empty()) variations.push_back({"formulation", request.formulations});
-  for (const Variation& variation : request.over) {
-    const Place place{"--over " + variation.key, 0, 0, ""};
-    for (const auto& [key, option] :
-         {std::pair("formulation", "--formulation"), std::pair("body.spacing", "--spacing"),
-          std::pair("body.seed", "--seed"), std::pair("body.cloud", "--cloud")})
-      if (variation.key == key) throw InputError(place, fmt::format("has an option, {}", option));
-    for (const Variation& other : variations)
-      if (other.key == variation.key) throw InputError(place, "stands twice; each key once");
-    variations.push_back(variation);
-  }
-  return variations;
-}
-
-/// Which value of each variation a series takes: the last key turns fastest.
-std::vector<std::vector<std::string>> combinations(const std::vector<Variation>& variations) {
-  std::vector<std::vector<std::string>> result = {{}};
-  for (const Variation& variation : variations) {
-    std::vector<std::vector<std::string>> longer;
-    for (const auto& start : result)
-      for (const std::string& value : variation.values) {
-        longer.push_back(start);
-        longer.back().push_back(value);
+  std::vector<Choice> choices = {{}};
+  if (!request.formulations.empty()) choices.clear();
+  for (const std::string& name : request.formulations)
+    choices.push_back({{"formulation=" + name}, {}, ""});
+  std::vector<std::string> keys;
+  for (const auto& [key, values] : request.over) {
+    const Place place{"--over " + key, 0, 0, ""};
+    for (const auto& [name, option] : options)
+      if (key == name) throw InputError(place, fmt::format("has an option, {}", option));
+    if (std::ranges::find(keys, key) != keys.end())
+      throw InputError(place, "stands twice; each key once");
+    keys.push_back(key);
+    std::vector<Choice> longer;
+    for (const Choice& start : choices)
+      for (const std::string& value : values) {
+        Choice& next = longer.emplace_back(start);
+        next.overrides.push_back(key + "=" + value);
+        next.over.push_back(value);
+        next.keys += " " + next.overrides.back();
       }
-    result = std::move(longer);
+    choices = std::move(longer);
   }
-  return result;
+  return choices;
 }
 
 /// The run of a scene with its spacing and number of particles.
@@ -78,18 +87,13 @@ std::filesystem::path stem_of(const std::string& file) {
   return std::filesystem::path(file).stem();
 }
 
-template <int D>
-bool same_particles(const Scene& a, const Scene& b) {
-  return build_particles<D>(a).X == build_particles<D>(b).X;
-}
-
 /// Plans one series after the other.
 class Planner {
  public:
   explicit Planner(const ConvergenceRequest& request)
       : request_(request),
         spacings_(sorted_spacings(request.spacings)),
-        variations_(variations_of(request)) {
+        choices_(choices_of(request)) {
     const bool clouds = !request.clouds.empty();
     if (clouds && !spacings_.empty())
       throw InputError(cloud_option, "a cloud has its spacing: give --spacing or --cloud");
@@ -102,27 +106,21 @@ class Planner {
       throw InputError(spacing_option, fmt::format("{} given; at least 2", spacings_.size()));
   }
 
-  PlannedSeries series(const std::vector<std::string>& values) {
-    std::vector<std::string> chosen;  // overrides
-    std::vector<std::string> over;
-    std::string keys;
-    for (std::size_t v = 0; v < values.size(); ++v) {
-      chosen.push_back(variations_[v].key + "=" + values[v]);
-      if (variations_[v].key == "formulation") continue;
-      over.push_back(values[v]);
-      keys += " " + chosen.back();
-    }
-    PlannedSeries levels = request_.clouds.empty() ? by_spacing(chosen) : by_cloud(chosen);
+  [[nodiscard]] const std::vector<Choice>& choices() const { return choices_; }
+
+  [[nodiscard]] PlannedSeries series(const Choice& choice) const {
+    PlannedSeries levels =
+        request_.clouds.empty() ? by_spacing(choice.overrides) : by_cloud(choice.overrides);
     const Scene& coarsest = levels.front().front().scene;
     const std::string formulation(name_of(coarsest.formulation));
-    std::string folder = formulation + keys;
+    std::string folder = formulation + choice.keys;
     std::ranges::replace_if(
         folder, [](char c) { return c == ' ' || c == '/'; }, '_');
     for (auto& level : levels)
       for (PlannedRun& run : level) {
-        run.row.series = formulation + keys;
+        run.row.series = formulation + choice.keys;
         run.row.formulation = formulation;
-        run.row.over = over;
+        run.row.over = choice.over;
         run.folder = folder / run.folder;
       }
     check_levels(levels.size(), coarsest);
@@ -134,10 +132,10 @@ class Planner {
  private:
   /// The scene of one run. Frames are of no use to a study, unless the user asks for them; what the
   /// study varies comes last, so that it wins.
-  Scene scene_of(std::vector<std::string> chosen) const {
+  Scene scene_of(const std::vector<std::string>& chosen) const {
     std::vector<std::string> overrides = {"output.frames=0"};
-    overrides.insert(overrides.end(), request_.overrides.begin(), request_.overrides.end());
-    std::ranges::move(chosen, std::back_inserter(overrides));
+    std::ranges::copy(request_.overrides, std::back_inserter(overrides));
+    std::ranges::copy(chosen, std::back_inserter(overrides));
     return read_scene(request_.scene, overrides);
   }
 
@@ -221,14 +219,15 @@ class Planner {
     if (request_.seeds.size() < 2) return;
     const Scene& a = samples[0].scene;
     const Scene& b = samples[1].scene;
-    if (in_dimension(a.dimension, [&]<int D>() { return same_particles<D>(a, b); }))
+    if (in_dimension(a.dimension,
+                     [&]<int D>() { return build_particles<D>(a).X == build_particles<D>(b).X; }))
       throw InputError(seed_option,
                        "the particles do not depend on it; move them, with body.jitter=0.2");
   }
 
   const ConvergenceRequest& request_;
   std::vector<double> spacings_;
-  std::vector<Variation> variations_;
+  std::vector<Choice> choices_;
 };
 
 }  // namespace
@@ -264,10 +263,9 @@ void check_buildable(const Scene& scene) {
 }
 
 ConvergencePlan plan_convergence(const ConvergenceRequest& request) {
-  Planner planner(request);
+  const Planner planner(request);
   ConvergencePlan plan;
-  for (const std::vector<std::string>& values : combinations(variations_of(request)))
-    plan.series.push_back(planner.series(values));
+  for (const Choice& choice : planner.choices()) plan.series.push_back(planner.series(choice));
   const auto exact = [](const PlannedSeries& series) {
     return series.front().front().scene.exact != ExactKind::none;
   };

@@ -10,11 +10,15 @@
 #include "tlsph/scene/names.hpp"
 
 namespace tlsph {
+namespace {
 
+/// Whether `column`, "<probe>.<quantity>_<component>", belongs to the quantity.
 bool belongs_to(const std::string& column, const std::string& quantity) {
   const std::string stem = column.substr(column.rfind('.') + 1);
   return stem == quantity || stem.starts_with(quantity + "_");
 }
+
+}  // namespace
 
 std::vector<std::string> recorded_quantities(const Scene& scene) {
   std::vector<std::string> names;

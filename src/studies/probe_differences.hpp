@@ -15,9 +15,6 @@ namespace tlsph {
 /// Quantities the scene's probes record, in their first order, each once.
 [[nodiscard]] std::vector<std::string> recorded_quantities(const Scene& scene);
 
-/// Whether `column`, "<probe>.<quantity>_<component>", belongs to the quantity.
-[[nodiscard]] bool belongs_to(const std::string& column, const std::string& quantity);
-
 /// Entry (q, k): ‖a_k − a_{k+1}‖ / ‖a_n‖ of quantity q over all probes and components, for n
 /// histories from coarse to fine, all brought to the times of the last. n − 1 entries a quantity;
 /// not a number where the last vanishes.

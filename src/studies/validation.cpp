@@ -17,10 +17,10 @@
 #include "tlsph/core/error.hpp"
 #include "tlsph/core/stopwatch.hpp"
 #include "tlsph/io/files.hpp"
+#include "tlsph/io/json.hpp"
 #include "tlsph/linear/blas_threads.hpp"
 #include "tlsph/simulation/version.hpp"
 #include "tlsph/studies/figure.hpp"
-#include "validation_table.hpp"
 
 namespace tlsph {
 namespace {
@@ -96,7 +96,7 @@ CaseResult collect(const Case& entry, int status, double seconds,
   CaseResult result = named(entry);
   result.seconds = seconds;
   try {
-    if (!WIFSIGNALED(status)) return read_checks(Json::read(handed_over(options, entry)));
+    if (!WIFSIGNALED(status)) return CaseResult::read(Json::read(handed_over(options, entry)));
     result.failure =
         fmt::format("ended by signal {} ({})", WTERMSIG(status), sigdescr_np(WTERMSIG(status)));
   } catch (const InputError& error) {
@@ -161,7 +161,7 @@ class Validation {
       int code = EXIT_FAILURE;
       try {
         const CaseResult result = result_of(entry, folder_, options_);
-        case_table().json({result}).front().write(handed_over(options_, entry));
+        result.json().write(handed_over(options_, entry));
         code = EXIT_SUCCESS;
       } catch (...) {  // nothing was handed over, which the parent sees
       }

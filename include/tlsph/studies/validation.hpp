@@ -25,6 +25,8 @@
 
 namespace tlsph {
 
+class Json;
+
 /// How an observed number is held against its reference.
 enum class Criterion {
   relative,  ///< |observed − reference| ≤ tolerance |reference|
@@ -158,6 +160,11 @@ struct CaseResult {
   std::string undrawn;         ///< what would draw it, where that did not work
   double seconds = 0.0;
   [[nodiscard]] bool holds() const;
+
+  /// How the process of a case hands it over; an entry of validation.json.
+  [[nodiscard]] Json json() const;
+  /// InputError if the document is no such thing.
+  [[nodiscard]] static CaseResult read(const Json& json);
 };
 
 struct ValidationTable {
