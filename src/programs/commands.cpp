@@ -116,15 +116,9 @@ ExitCode converge_scene(const CommandLine& line) {
     print(line, run_line(row));
   };
 
-  ConvergenceRequest request;
-  request.scene = line.scene;
-  request.overrides = line.overrides;
-  request.spacings = line.spacings;
-  request.formulations = line.formulations;
+  ConvergenceRequest request{line.scene, line.overrides, line.spacings, line.formulations,
+                             {},         line.seeds,     line.clouds,   line.values};
   for (const std::string& text : line.over) request.over.push_back(parse_variation(text));
-  request.seeds = line.seeds;
-  request.clouds = line.clouds;
-  request.values = line.values;
 
   const ConvergenceTable table = converge(request, options);
 
@@ -160,14 +154,9 @@ ExitCode draw_stability(const CommandLine& line) {
 
 ExitCode chart_scene(const CommandLine& line) {
   const std::filesystem::path out = output_of(line, "-chart");
-  ChartRequest request;
-  request.scene = line.scene;
-  request.overrides = line.overrides;
-  request.budget = line.budget;
-  request.spacings = line.spacings;
-  request.formulations = line.formulations;
+  ChartRequest request{line.scene, line.overrides, line.budget, line.spacings, line.formulations,
+                       {},         line.peers};
   for (const std::string& text : line.values) request.values.push_back(parse_chart_value(text));
-  request.peers = line.peers;
   ProgressDisplay display(line.quiet);
   ChartOptions options;
   set_study(options, out, display);

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "probe_differences.hpp"
+#include "readings.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/io/files.hpp"
 #include "tlsph/io/hdf5.hpp"

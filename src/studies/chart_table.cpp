@@ -145,7 +145,7 @@ Table<ChartPoint> point_table(const std::vector<std::string>& quantities) {
   return table;
 }
 
-/// Fills `judged`, family by family. Peers keep their luck: nobody chose among many of them.
+/// Fills `judged`, family by family. Peers keep their errors: they are not picked from many.
 void judge(ChartTable& table) {
   std::map<std::string, std::vector<ChartPoint*>> families;
   for (ChartPoint& point : table.points) {

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "convergence_plan.hpp"
-#include "probe_differences.hpp"
 #include "readings.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/io/files.hpp"
@@ -102,7 +101,7 @@ class Study {
   }
 
   /// Differences of the probes between levels, a sample at a time: from the run of the same seed at
-  /// the next finer spacing that any run came to the end of.
+  /// the next finer spacing at which any run reached its end.
   void compare_probes() {
     std::vector<std::string> samples;
     for (const ConvergenceRow& row : rows())

@@ -67,7 +67,7 @@ Orders orders_of(const std::vector<ConvergenceLevel>& levels, std::size_t quanti
   return orders;
 }
 
-/// Richardson's estimate for the finest of the levels that came to an end.
+/// Richardson's estimate for the finest level with a run that did not fail.
 double finest_error(const std::vector<ConvergenceLevel>& levels, std::size_t quantity,
                     double order) {
   std::vector<const ConvergenceLevel*> used;

@@ -32,7 +32,7 @@ constexpr std::array<const char*, 14> chosen = {
 /// Choices of a family that may differ from the defaults of its formulation; kernels differ little.
 constexpr int variety = 1;
 
-/// What a scene says of these is for its run; who sets one beside the scene wants it kept.
+/// A scene may set these keys for its own run; an override that sets one contradicts the fit.
 void check_overrides(const std::vector<std::string>& overrides) {
   for (const std::string& text : overrides) {
     const std::string key = text.substr(0, text.find('='));

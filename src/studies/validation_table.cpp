@@ -107,7 +107,7 @@ Table<Line> line_table() {
   return Table<Line>{{"", &Line::name, {"case", "<"}}} + check_table().of(&Line::check);
 }
 
-/// A case that came to no end has a line that says why.
+/// A case that failed before its end has a line with the reason.
 std::vector<Line> lines_of(const ValidationTable& table) {
   std::vector<Line> lines;
   for (const CaseResult& result : table.cases) {
