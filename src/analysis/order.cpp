@@ -4,9 +4,6 @@
 #include <cassert>
 #include <cmath>
 
-#include "tlsph/analysis/line.hpp"
-#include "tlsph/analysis/not_known.hpp"
-
 namespace tlsph {
 namespace {
 
@@ -30,6 +27,33 @@ LogDifference log_difference(double h, double g, double p) {
 
 }  // namespace
 
+LineFit fit_line(std::span<const double> x, std::span<const double> y) {
+  LineFit line;
+  const auto n = static_cast<double>(x.size());
+  if (x.size() < 2) return line;
+  double mean_x = 0.0, mean_y = 0.0;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    mean_x += x[k] / n;
+    mean_y += y[k] / n;
+  }
+  double xx = 0.0, xy = 0.0;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    xx += (x[k] - mean_x) * (x[k] - mean_x);
+    xy += (x[k] - mean_x) * (y[k] - mean_y);
+  }
+  if (xx == 0.0) return line;
+  line.slope = xy / xx;
+  line.intercept = mean_y - line.slope * mean_x;
+  if (x.size() < 3) return line;
+  double residual = 0.0;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const double r = y[k] - line.intercept - line.slope * x[k];
+    residual += r * r;
+  }
+  line.standard_error = std::sqrt(residual / (n - 2.0) / xx);
+  return line;
+}
+
 std::vector<double> pairwise_orders(std::span<const double> spacing,
                                     std::span<const double> error) {
   assert(spacing.size() == error.size());
@@ -42,8 +66,7 @@ std::vector<double> pairwise_orders(std::span<const double> spacing,
 
 OrderFit fit_order(std::span<const double> spacing, std::span<const double> error) {
   assert(spacing.size() == error.size());
-  std::vector<double> x;
-  std::vector<double> y;
+  std::vector<double> x, y;
   for (std::size_t k = 0; k < error.size(); ++k) {
     if (!usable(error[k])) continue;
     x.push_back(std::log(spacing[k]));

@@ -11,30 +11,24 @@
 namespace tlsph {
 namespace {
 
-arma::mat dense(const SparseMatrix& matrix) {
+Eigen::MatrixXd dense(const SparseMatrix& matrix) {
   if (std::max(matrix.rows(), matrix.cols()) > largest_dense)
     throw InputError(
         fmt::format("a dense spectrum of {} x {} entries is too large; at most {} rows",
                     matrix.rows(), matrix.cols(), largest_dense));
-  arma::mat result(static_cast<arma::uword>(matrix.rows()), static_cast<arma::uword>(matrix.cols()),
-                   arma::fill::zeros);
-  for (Index row = 0; row < matrix.outerSize(); ++row)
-    for (SparseMatrix::InnerIterator entry(matrix, row); entry; ++entry)
-      result(static_cast<arma::uword>(entry.row()), static_cast<arma::uword>(entry.col())) +=
-          entry.value();
-  if (!result.is_finite()) throw InputError("the matrix holds values that are not finite");
+  Eigen::MatrixXd result = matrix;
+  if (!result.allFinite()) throw InputError("the matrix holds values that are not finite");
   return result;
+}
+
+/// The same memory, column by column in both libraries.
+arma::mat shared(Eigen::MatrixXd& A) {
+  return {A.data(), static_cast<arma::uword>(A.rows()), static_cast<arma::uword>(A.cols()), false,
+          true};
 }
 
 void require(bool converged) {
   if (!converged) throw NumericalError("the dense spectrum did not converge", 0.0, -1);
-}
-
-bool symmetric(const arma::mat& A) {
-  for (arma::uword j = 0; j < A.n_cols; ++j)
-    for (arma::uword i = 0; i < j; ++i)
-      if (A(i, j) != A(j, i)) return false;
-  return true;
 }
 
 /// Modulus down; equal moduli by real, then imaginary part, which keeps conjugates side by side.
@@ -52,14 +46,14 @@ std::vector<std::complex<double>> eigenvalues(const SparseMatrix& matrix) {
         fmt::format("eigenvalues need a square matrix, not {} x {}", matrix.rows(), matrix.cols()));
   std::vector<std::complex<double>> result;
   if (matrix.rows() == 0) return result;
-  const arma::mat A = dense(matrix);
-  if (symmetric(A)) {
+  Eigen::MatrixXd A = dense(matrix);
+  if (A == A.transpose()) {
     arma::vec values;
-    require(arma::eig_sym(values, A));
+    require(arma::eig_sym(values, shared(A)));
     result.assign(values.begin(), values.end());
   } else {
     arma::cx_vec values;
-    require(arma::eig_gen(values, A));
+    require(arma::eig_gen(values, shared(A)));
     result.assign(values.begin(), values.end());
   }
   std::ranges::sort(result, before);
@@ -67,13 +61,13 @@ std::vector<std::complex<double>> eigenvalues(const SparseMatrix& matrix) {
 }
 
 Modes lowest_modes(const SparseMatrix& matrix, Index count) {
-  const arma::mat A = dense(matrix);
-  if (matrix.rows() != matrix.cols() || !symmetric(A))
+  Eigen::MatrixXd A = dense(matrix);
+  if (A.rows() != A.cols() || A != A.transpose())
     throw InputError("modes are those of a symmetric matrix");
   if (matrix.rows() == 0) return {};
   arma::vec values;
   arma::mat vectors;
-  require(arma::eig_sym(values, vectors, A));
+  require(arma::eig_sym(values, vectors, shared(A)));
   const arma::uvec order = arma::sort_index(arma::abs(values));
   const Index wanted = std::min(count, matrix.rows());
   Modes modes{{}, Eigen::MatrixXd(matrix.rows(), wanted)};
@@ -85,11 +79,21 @@ Modes lowest_modes(const SparseMatrix& matrix, Index count) {
   return modes;
 }
 
-std::vector<double> singular_values(const SparseMatrix& matrix) {
-  if (matrix.rows() == 0 || matrix.cols() == 0) return {};
-  arma::vec values;
-  require(arma::svd(values, dense(matrix)));
-  return {values.begin(), values.end()};
+double growth_rate(const std::vector<std::complex<double>>& squared_frequencies) {
+  double rate = 0.0;
+  for (const std::complex<double>& square : squared_frequencies)
+    rate = std::max(rate, std::abs(std::sqrt(-square).real()));
+  return rate;
+}
+
+double growth_per_step(const std::vector<std::complex<double>>& squared_frequencies, double dt) {
+  double largest = 0.0;
+  for (const std::complex<double>& square : squared_frequencies) {
+    // The roots of z² − 2bz + 1 are inverse to each other: either sign will do.
+    const std::complex<double> b = 1.0 - 0.5 * square * dt * dt;
+    largest = std::max(largest, std::abs(std::log(std::abs(b + std::sqrt(b * b - 1.0)))));
+  }
+  return largest;
 }
 
 }  // namespace tlsph

@@ -7,7 +7,7 @@
 
 #include "linear_body.hpp"
 #include "list.hpp"
-#include "tlsph/analysis/oscillation.hpp"
+#include "tlsph/analysis/history.hpp"
 #include "tlsph/model/builder.hpp"
 
 namespace tlsph {

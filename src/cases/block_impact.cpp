@@ -7,7 +7,7 @@
 
 #include "list.hpp"
 #include "samples.hpp"
-#include "tlsph/analysis/line.hpp"
+#include "tlsph/analysis/order.hpp"
 #include "tlsph/contrast/current_lattice.hpp"
 #include "tlsph/materials/waves.hpp"
 

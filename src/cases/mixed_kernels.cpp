@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "list.hpp"
-#include "tlsph/analysis/motion_growth.hpp"
+#include "tlsph/analysis/history.hpp"
 #include "tlsph/analysis/spectrum.hpp"
 #include "tlsph/contrast/current_lattice.hpp"
 #include "tlsph/linear/factorization.hpp"

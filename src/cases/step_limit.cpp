@@ -7,7 +7,6 @@
 
 #include "list.hpp"
 #include "samples.hpp"
-#include "tlsph/analysis/motion_growth.hpp"
 #include "tlsph/analysis/spectrum.hpp"
 #include "tlsph/model/builder.hpp"
 #include "tlsph/stepping/stepper.hpp"

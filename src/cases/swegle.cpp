@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "list.hpp"
-#include "tlsph/analysis/motion_growth.hpp"
+#include "tlsph/analysis/history.hpp"
 #include "tlsph/contrast/current_lattice.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/model/builder.hpp"

@@ -8,7 +8,7 @@
 
 #include "list.hpp"
 #include "samples.hpp"
-#include "tlsph/analysis/motion_growth.hpp"
+#include "tlsph/analysis/history.hpp"
 #include "tlsph/contrast/current_lattice.hpp"
 
 namespace tlsph {

@@ -1,15 +1,12 @@
 #include "commands.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <omp.h>
 
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
 #include <optional>
 
-#include "interrupt.hpp"
 #include "progress.hpp"
 #include "report.hpp"
 #include "tlsph/cases/cases.hpp"
@@ -29,11 +26,34 @@
 namespace tlsph {
 namespace {
 
-/// To the standard output; OutputError if it takes nothing (a full disk, a closed pipe).
-void print(const std::string& text) {
+/// To the standard output, unless the user wants it quiet; OutputError if it takes nothing (a full
+/// disk, a closed pipe).
+void print(const CommandLine& line, const std::string& text) {
+  if (line.quiet) return;
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
   if (!written || std::fflush(stdout) != 0)
     throw OutputError("the standard output could not be written");
+}
+
+std::filesystem::path output_of(const CommandLine& line, const char* study) {
+  return line.out.empty() ? "out" / line.scene.stem().concat(study) : line.out;
+}
+
+/// From now on the first signal is a request, which sets the flag this returns.
+const std::atomic<bool>* catch_interrupts() {
+  may_end_at_once() = false;
+  return &stop_flag();
+}
+
+void set_study(StudyOptions& options, const std::filesystem::path& out, ProgressDisplay& display) {
+  options.out = out;
+  options.stop_requested = catch_interrupts();
+  options.progress = [&](const std::string& what, double share) { display.show(share, what); };
+}
+
+ExitCode ended(bool interrupted, bool holds = true) {
+  if (interrupted) return interruption();
+  return holds ? ExitCode::done : ExitCode::verdict_failed;
 }
 
 /// What to say of a run that goes on with other threads than it was begun with.
@@ -47,9 +67,11 @@ std::string threads_note(const CommandLine& line, const std::filesystem::path& o
       before, before == 1 ? "" : "s", now, before);
 }
 
+}  // namespace
+
 ExitCode run_scene(const CommandLine& line) {
   const Scene scene = read_scene(line.scene, line.overrides);
-  ProgressDisplay display(stdout, ProgressDisplay::style_for(stdout, line.quiet));
+  ProgressDisplay display(line.quiet);
   RunOptions options;
   options.out = line.out.empty() ? default_output(scene) : line.out;
   options.threads = line.threads;
@@ -61,62 +83,48 @@ ExitCode run_scene(const CommandLine& line) {
   const Summary summary = run(scene, options);
 
   display.clear();
-  if (!line.quiet) print(run_report(summary, options.out) + note);
-  return summary.interrupted ? interruption() : ExitCode::done;
+  print(line, run_report(summary, options.out) + note);
+  return ended(summary.interrupted);
 }
 
 ExitCode plan_scene(const CommandLine& line) {
-  print(plan(read_scene(line.scene, line.overrides)).text);
+  print(line, plan(read_scene(line.scene, line.overrides)).text);
   return ExitCode::done;
 }
 
 ExitCode export_scene(const CommandLine& line) {
   export_operators(read_scene(line.scene, line.overrides), line.out);
-  if (!line.quiet)
-    print(
-        fmt::format("operators in {0}/*.mtx and {0}/operators.h5, their properties in "
-                    "{0}/report.json\n",
-                    line.out.string()));
+  print(line, fmt::format("operators in {0}/*.mtx and {0}/operators.h5, their properties in "
+                          "{0}/report.json\n",
+                          line.out.string()));
   return ExitCode::done;
 }
 
 ExitCode converge_scene(const CommandLine& line) {
-  const std::filesystem::path out =
-      line.out.empty() ? "out" / line.scene.stem().concat("-converge") : line.out;
-  const bool terminal =
-      ProgressDisplay::style_for(stdout, line.quiet) == ProgressDisplay::Style::bar;
+  const std::filesystem::path out = output_of(line, "-converge");
   std::optional<ProgressDisplay> display;  // one a run; elsewhere than on a terminal a line a run
   ConvergenceOptions options;
   options.out = out;
   options.threads = line.threads;
   options.stop_requested = catch_interrupts();
-  if (terminal) {
-    options.before_run = [&](const ConvergenceRow&) {
-      display.emplace(stdout, ProgressDisplay::Style::bar);
-    };
-    options.progress = [&](const Progress& progress) { display->show(progress); };
+  if (ProgressDisplay::style_for(line.quiet) == ProgressDisplay::Style::bar) {
+    options.before_run = [&](const ConvergenceRow&) { display.emplace(line.quiet); };
+    options.run_progress = [&](const Progress& progress) { display->show(progress); };
   }
-  if (!line.quiet)
-    options.after_run = [&](const ConvergenceRow& row) {
-      display.reset();
-      print(run_line(row));
-    };
+  options.after_run = [&](const ConvergenceRow& row) {
+    display.reset();
+    print(line, run_line(row));
+  };
 
-  ConvergenceRequest request;
-  request.scene = line.scene;
-  request.overrides = line.overrides;
-  request.spacings = line.spacings;
-  request.formulations = line.formulations;
+  ConvergenceRequest request{line.scene, line.overrides, line.spacings, line.formulations,
+                             {},         line.seeds,     line.clouds,   line.values};
   for (const std::string& text : line.over) request.over.push_back(parse_variation(text));
-  request.seeds = line.seeds;
-  request.clouds = line.clouds;
-  request.values = line.values;
 
   const ConvergenceTable table = converge(request, options);
 
   display.reset();
   const Figure figure = draw_figure("convergence", out / "convergence.csv");
-  if (!line.quiet) print(fmt::format("\n{}\n{}", table.text(), results_report(out, figure)));
+  print(line, fmt::format("\n{}\n{}", table.text(), results_report(out, figure)));
   if (table.interrupted) return interruption();
   const auto failed = std::ranges::count_if(
       table.rows, [](const ConvergenceRow& row) { return !row.failure.empty(); });
@@ -128,9 +136,8 @@ ExitCode converge_scene(const CommandLine& line) {
 }
 
 ExitCode draw_stability(const CommandLine& line) {
-  const std::filesystem::path out =
-      line.out.empty() ? "out" / line.scene.stem().concat("-stability") : line.out;
-  ProgressDisplay display(stdout, ProgressDisplay::style_for(stdout, line.quiet));
+  const std::filesystem::path out = output_of(line, "-stability");
+  ProgressDisplay display(line.quiet);
   AtlasOptions options;
   options.out = out;
   options.stop_requested = catch_interrupts();
@@ -141,142 +148,88 @@ ExitCode draw_stability(const CommandLine& line) {
   display.clear();
   atlas.write(out);
   const Figure figure = draw_figure("stability", out / "stability.json");
-  if (!line.quiet) print(fmt::format("{}{}", atlas.text(), results_report(out, figure)));
-  return atlas.interrupted ? interruption() : ExitCode::done;
+  print(line, atlas.text() + results_report(out, figure));
+  return ended(atlas.interrupted);
 }
 
 ExitCode chart_scene(const CommandLine& line) {
-  const std::filesystem::path out =
-      line.out.empty() ? "out" / line.scene.stem().concat("-chart") : line.out;
-  ChartRequest request;
-  request.scene = line.scene;
-  request.overrides = line.overrides;
-  request.budget = line.budget;
-  request.spacings = line.spacings;
-  request.formulations = line.formulations;
+  const std::filesystem::path out = output_of(line, "-chart");
+  ChartRequest request{line.scene, line.overrides, line.budget, line.spacings, line.formulations,
+                       {},         line.peers};
   for (const std::string& text : line.values) request.values.push_back(parse_chart_value(text));
-  request.peers = line.peers;
-  ProgressDisplay display(stdout, ProgressDisplay::style_for(stdout, line.quiet));
+  ProgressDisplay display(line.quiet);
   ChartOptions options;
-  options.out = out;
+  set_study(options, out, display);
   options.threads = std::max(1, line.threads);
-  options.stop_requested = catch_interrupts();
-  options.progress = [&](const std::string& what, double share) { display.show(share, what); };
 
   const ChartTable table = chart(request, options);
 
   display.clear();
   const Figure figure = draw_figure("chart", out / "chart.json");
-  if (!line.quiet) print(fmt::format("{}\n{}", table.text(), results_report(out, figure)));
-  return table.interrupted ? interruption() : ExitCode::done;
+  print(line, fmt::format("{}\n{}", table.text(), results_report(out, figure)));
+  return ended(table.interrupted);
 }
 
 ExitCode fit_scene(const CommandLine& line) {
-  const std::filesystem::path out =
-      line.out.empty() ? "out" / line.scene.stem().concat("-fit") : line.out;
+  const std::filesystem::path out = output_of(line, "-fit");
   FitRequest request{line.scene, line.overrides, line.error, line.quantity, std::nullopt};
   if (!line.values.empty()) request.value = parse_chart_value(line.values.front());
-  ProgressDisplay display(stdout, ProgressDisplay::style_for(stdout, line.quiet));
+  ProgressDisplay display(line.quiet);
   FitOptions options;
-  options.out = out;
+  set_study(options, out, display);
   options.threads = std::max(1, line.threads);
-  options.stop_requested = catch_interrupts();
-  options.progress = [&](const std::string& what, double share) { display.show(share, what); };
-  if (!line.quiet)
-    options.after_choice = [&](const FitTable& table) {
-      display.clear();
-      print(table.choice_text());
-    };
+  options.after_choice = [&](const FitTable& table) {
+    display.clear();
+    print(line, table.choice_text());
+  };
 
   const FitTable table = fit(request, options);
 
   display.clear();
-  if (!line.quiet)
-    print(fmt::format("{0}scene in {1}/scene.toml, pilots in {1}/fit.csv\n", table.verdict_text(),
-                      out.string()));
-  if (table.interrupted) return interruption();
-  return table.meets() ? ExitCode::done : ExitCode::verdict_failed;
+  print(line, fmt::format("{0}scene in {1}/scene.toml, pilots in {1}/fit.csv\n",
+                          table.verdict_text(), out.string()));
+  return ended(table.interrupted, table.meets());
 }
 
 ExitCode validate_cases(const CommandLine& line) {
-  const std::filesystem::path out = line.out.empty() ? "out/validation" : line.out;
-  ProgressDisplay display(stdout, ProgressDisplay::style_for(stdout, line.quiet));
+  const std::filesystem::path out = output_of(line, "validation");
+  ProgressDisplay display(line.quiet);
   ValidationOptions options;
-  options.out = out;
+  set_study(options, out, display);
   options.only = line.cases;
   options.quick = line.quick;
   options.at_once = line.threads;
-  options.stop_requested = catch_interrupts();
-  options.progress = [&](const std::vector<std::string>& running, double share) {
-    display.show(share, fmt::format("running {}", fmt::join(running, ", ")));
+  options.after_case = [&](const CaseResult& result, double) {
+    display.clear();
+    print(line, case_line(result));
   };
-  if (!line.quiet)
-    options.after_case = [&](const CaseResult& result, double) {
-      display.clear();
-      print(case_line(result));
-    };
 
   const ValidationTable table = validate(all_cases(), options);
 
   display.clear();
-  if (!line.quiet) print(fmt::format("\n{}results in {}\n", table.text(), out.string()));
-  if (table.interrupted) return interruption();
-  return table.holds() ? ExitCode::done : ExitCode::verdict_failed;
+  print(line, fmt::format("\n{}results in {}\n", table.text(), out.string()));
+  return ended(table.interrupted, table.holds());
 }
 
 ExitCode benchmark_steps(const CommandLine& line) {
-  const std::filesystem::path out = line.out.empty() ? "out/benchmark" : line.out;
+  const std::filesystem::path out = output_of(line, "benchmark");
   BenchmarkOptions options;
   options.out = out;
   if (line.particles > 0.0) options.particles = static_cast<Index>(line.particles);
   if (line.seconds > 0.0) options.seconds = line.seconds;
   options.stop_requested = catch_interrupts();
-  if (!line.quiet)
-    options.before_case = [&](const std::string& name) { print(fmt::format("{}\n", name)); };
+  options.before_case = [&](const std::string& name) { print(line, name + "\n"); };
 
   const BenchmarkTable table = benchmark(options);
 
-  if (!line.quiet)
-    print(fmt::format("\n{}\nresults in {}/benchmark.csv and benchmark.json\n", table.text(),
-                      out.string()));
-  return table.interrupted ? interruption() : ExitCode::done;
+  print(line, fmt::format("\n{}\nresults in {}/benchmark.csv and benchmark.json\n", table.text(),
+                          out.string()));
+  return ended(table.interrupted);
 }
 
-ExitCode print_reference() {
-  print(scene_reference());
+ExitCode print_reference(const CommandLine& line) {
+  print(line, scene_reference());
   return ExitCode::done;
-}
-
-}  // namespace
-
-ExitCode interruption() {
-  return interrupt_received() == SIGTERM ? ExitCode::terminated : ExitCode::interrupted;
-}
-
-ExitCode execute(const CommandLine& line) {
-  switch (line.command) {
-    case Command::run:
-      return run_scene(line);
-    case Command::plan:
-      return plan_scene(line);
-    case Command::export_operators:
-      return export_scene(line);
-    case Command::converge:
-      return converge_scene(line);
-    case Command::stability:
-      return draw_stability(line);
-    case Command::chart:
-      return chart_scene(line);
-    case Command::fit:
-      return fit_scene(line);
-    case Command::validate:
-      return validate_cases(line);
-    case Command::benchmark:
-      return benchmark_steps(line);
-    case Command::scene_reference:
-      return print_reference();
-  }
-  return ExitCode::internal_error;
 }
 
 }  // namespace tlsph

@@ -1,14 +1,15 @@
 // tlsph: one command a study. Errors become exit codes here and nowhere else.
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <new>
 
 #include "commands.hpp"
-#include "interrupt.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/core/stop.hpp"
 
@@ -35,10 +36,31 @@ void keep_write_errors() {
   for (const int number : {SIGPIPE, SIGXFSZ}) std::signal(number, SIG_IGN);
 }
 
+// A signal handler can reach nothing but static storage.
+std::atomic<int> received{0};
+static_assert(std::atomic<int>::is_always_lock_free);
+
+void on_signal(int number) {
+  const bool insists = tlsph::may_end_at_once() || tlsph::stop_flag().exchange(true);
+  if (insists) _exit(128 + number);
+  received = number;
+}
+
+/// Ctrl-C and `kill`. As long as nothing is written either ends the program at once; then it is a
+/// request (core/stop.hpp): a run finishes its step and saves, a study ends the piece it is at. A
+/// second signal ends the program at once.
+void end_on_interrupts() {
+  (void)tlsph::stop_flag();  // made here, not in the handler
+  tlsph::may_end_at_once() = true;
+  // A signal that the parent ignores (nohup, a background job of a script) stays ignored.
+  for (const int number : {SIGINT, SIGTERM})
+    if (std::signal(number, on_signal) == SIG_IGN) std::signal(number, SIG_IGN);
+}
+
 ExitCode run_program(int argc, const char* const* argv) {
   try {
     const auto line = tlsph::parse_command_line(argc, argv);
-    return line ? tlsph::execute(*line) : ExitCode::done;
+    return line ? line->command(*line) : ExitCode::done;
   } catch (const tlsph::Stopped&) {
     return tlsph::interruption();
   } catch (const tlsph::InputError& error) {
@@ -58,9 +80,13 @@ ExitCode run_program(int argc, const char* const* argv) {
 
 }  // namespace
 
+ExitCode tlsph::interruption() {
+  return received == SIGTERM ? ExitCode::terminated : ExitCode::interrupted;
+}
+
 int main(int argc, char** argv) {
   guard_streams();
   keep_write_errors();
-  tlsph::end_on_interrupts();
+  end_on_interrupts();
   return static_cast<int>(run_program(argc, argv));
 }

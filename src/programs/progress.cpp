@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace tlsph {
 namespace {
@@ -16,17 +17,17 @@ std::string duration(double seconds) {
   return fmt::format("{}s", whole);
 }
 
-/// A stream that takes nothing stops no run: the report at its end finds out.
-void say(std::FILE* stream, const std::string& text) {
-  (void)std::fputs(text.c_str(), stream);
-  (void)std::fflush(stream);
+/// An output that takes nothing stops no run: the report at its end finds out.
+void say(const std::string& text) {
+  (void)std::fputs(text.c_str(), stdout);
+  (void)std::fflush(stdout);
 }
 
 }  // namespace
 
-ProgressDisplay::Style ProgressDisplay::style_for(std::FILE* stream, bool quiet) {
+ProgressDisplay::Style ProgressDisplay::style_for(bool quiet) {
   if (quiet) return Style::none;
-  return isatty(fileno(stream)) != 0 ? Style::bar : Style::lines;
+  return isatty(STDOUT_FILENO) != 0 ? Style::bar : Style::lines;
 }
 
 std::string ProgressDisplay::remaining(double share) const {
@@ -51,7 +52,7 @@ void ProgressDisplay::show(const Progress& progress) {
     draw(share, where);
   } else if (static_cast<int>(share * 10.0) > tenths_) {
     tenths_ = static_cast<int>(share * 10.0);
-    say(stream_, where + '\n');
+    say(where + '\n');
   }
 }
 
@@ -63,14 +64,14 @@ void ProgressDisplay::draw(double share, const std::string& text) {
   constexpr int width = 30;
   const int filled = static_cast<int>(share * width);
   // \x1b[K clears what a longer line left behind.
-  say(stream_, fmt::format("\r[{:<{}}] {}\x1b[K",
-                           std::string(static_cast<std::size_t>(filled), '='), width, text));
+  say(fmt::format("\r[{:<{}}] {}\x1b[K", std::string(static_cast<std::size_t>(filled), '='), width,
+                  text));
   visible_ = true;
 }
 
 void ProgressDisplay::clear() {
   if (!visible_) return;
-  say(stream_, "\r\x1b[K");
+  say("\r\x1b[K");
   visible_ = false;
 }
 

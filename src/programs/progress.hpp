@@ -3,8 +3,6 @@
 /// How far a run is: a bar on a terminal, a line for every tenth otherwise, or nothing.
 
 #include <chrono>
-#include <cstdio>
-#include <functional>
 #include <string>
 
 #include "tlsph/simulation/simulation.hpp"
@@ -14,11 +12,10 @@ namespace tlsph {
 class ProgressDisplay {
  public:
   enum class Style { none, lines, bar };
+  static Style style_for(bool quiet);
 
-  /// `--quiet` says none; else the kind of stream decides.
-  static Style style_for(std::FILE* stream, bool quiet);
-
-  ProgressDisplay(std::FILE* stream, Style style) : stream_(stream), style_(style) {}
+  /// On the standard output, whose kind decides.
+  explicit ProgressDisplay(bool quiet) : style_(style_for(quiet)) {}
   ProgressDisplay(const ProgressDisplay&) = delete;
   ProgressDisplay& operator=(const ProgressDisplay&) = delete;
   ProgressDisplay(ProgressDisplay&&) = delete;
@@ -35,7 +32,6 @@ class ProgressDisplay {
   void draw(double share, const std::string& text);
   [[nodiscard]] std::string remaining(double share) const;
 
-  std::FILE* stream_;
   Style style_;
   bool visible_ = false;
   int tenths_ = 0;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tlsph/analysis/motion_growth.hpp"
+#include "tlsph/analysis/history.hpp"
 #include "tlsph/contrast/current_lattice.hpp"
 #include "tlsph/core/dimensions.hpp"
 #include "tlsph/core/error.hpp"

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <random>
 
-#include "tlsph/analysis/motion_growth.hpp"
+#include "tlsph/analysis/history.hpp"
 #include "tlsph/analysis/spectrum.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/stepping/linearised_forces.hpp"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tlsph/analysis/motion_growth.hpp"
 #include "tlsph/analysis/spectrum.hpp"
 #include "tlsph/stepping/critical_step.hpp"
 #include "tlsph/stepping/linearised_forces.hpp"

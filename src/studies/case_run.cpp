@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "readings.hpp"
 #include "tlsph/core/error.hpp"
-#include "tlsph/io/csv.hpp"
 #include "tlsph/io/files.hpp"
 #include "tlsph/io/hdf5.hpp"
 #include "tlsph/scene/reader.hpp"
@@ -14,7 +14,7 @@ namespace {
 Samples column(const History& history, std::string_view name, const std::filesystem::path& file) {
   const auto found = std::ranges::find(history.names, name);
   if (found == history.names.end())
-    throw InputError({file.string(), 0, 0, ""}, "no column \"" + std::string(name) + "\"");
+    throw InputError({file, 0, 0, ""}, "no column \"" + std::string(name) + "\"");
   return {history.time, history.values[static_cast<std::size_t>(found - history.names.begin())]};
 }
 
@@ -119,14 +119,12 @@ void CaseRun::check(std::string source, std::string quantity, double observed, c
 
 void CaseRun::table(const std::string& name, const std::vector<CaseColumn>& columns) const {
   std::vector<std::string> names;
-  for (const CaseColumn& column : columns) names.push_back(column.name);
-  CsvWriter csv(out_ / (name + ".csv"), names);
-  std::vector<double> row(columns.size());
-  for (std::size_t k = 0; k < columns.front().values.size(); ++k) {
-    for (std::size_t c = 0; c < columns.size(); ++c) row[c] = columns[c].values.at(k);
-    csv.row(std::span<const double>(row));
+  std::vector<std::vector<double>> values;
+  for (const CaseColumn& column : columns) {
+    names.push_back(column.name);
+    values.push_back(column.values);
   }
-  csv.close();
+  write_columns(out_ / (name + ".csv"), names, values);
 }
 
 }  // namespace tlsph

@@ -5,15 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "chart_answers.hpp"
-#include "chart_families.hpp"
-#include "chart_peers.hpp"
 #include "chart_plan.hpp"
-#include "chart_variants.hpp"
-#include "probe_values.hpp"
+#include "peers.hpp"
+#include "readings.hpp"
 #include "tlsph/analysis/not_known.hpp"
 #include "tlsph/core/error.hpp"
-#include "tlsph/core/stopwatch.hpp"
 #include "tlsph/io/files.hpp"
 #include "tlsph/io/new_files.hpp"
 #include "tlsph/scene/reader.hpp"
@@ -37,7 +33,7 @@ constexpr std::size_t first_repetitions = 3, repetitions = 5;
 /// Finer spacings at which a family is tried that the coarsest does not allow.
 constexpr std::size_t later_starts = 2;
 
-/// A family on its way down the ladder.
+/// A family and its runs from spacing to spacing.
 struct Contender {
   ChartFamily family;
   std::vector<Measured> runs;
@@ -48,10 +44,10 @@ struct Contender {
   bool varied = false;                ///< its variants are contenders
 };
 
-class ChartStudy {
+class ChartSearch {
  public:
-  ChartStudy(const ChartRequest& request, const ChartPlan& plan, const ChartOptions& options)
-      : request_(request), plan_(plan), options_(options), variation_(chart_variation(plan.scene)) {
+  ChartSearch(const ChartRequest& request, const ChartPlan& plan, const ChartOptions& options)
+      : study_{request, plan, options} {
     table_.scene = plan.scene.file;
     table_.version = version();
     table_.budget = request.budget;
@@ -67,44 +63,32 @@ class ChartStudy {
   }
 
   ChartTable run() {
+    const ChartRequest& request = study_.request;
     const std::vector<double> answers =
-        find_answers(request_, plan_.scene.body.spacing, options_, options_.threads,
-                     [&] { show("extrapolating the answer"); });
+        find_answers(request, plan_.scene.body.spacing, study_.options, study_.options.threads,
+                     [&] { study_.show("extrapolating the answer"); });
     std::ranges::copy(answers, table_.answers.end() - std::ssize(answers));
-    const double peers_until = spent() + peer_share * request_.budget;
-    ChartPeers{request_,
-               plan_,
-               variation_,
-               options_,
-               table_,
-               [&] { return spent(); },
-               [&](const std::string& what) { show(what); },
-               [&](ChartPoint point) { add(std::move(point)); }}
-        .run(peers_until);
+    run_peers(study_, spent() + peer_share * request.budget);
     const double start = spent();
-    const double searching = request_.budget * (1.0 - repetition_share) - start;
+    const double searching = request.budget * (1.0 - repetition_share) - start;
     screen(start + screening_share * searching);
     refine(start + searching);
     repeat_front();
     table_.interrupted = stopped();
-    write();
+    study_.write();
     return table_;
   }
 
  private:
-  [[nodiscard]] double spent() const { return watch_.seconds(); }
-  [[nodiscard]] bool stopped() const { return options_.stopped(); }
-  void show(const std::string& what) const {
-    if (options_.progress) options_.progress(what, std::min(1.0, spent() / request_.budget));
-  }
+  [[nodiscard]] double spent() const { return study_.spent(); }
+  [[nodiscard]] bool stopped() const { return study_.options.stopped(); }
 
   /// Every family at the coarsest spacing it can be built at.
   void screen(double until) {
     for (Contender& contender : contenders_) {
       if (stopped() || spent() > until) return;
       const std::size_t last = std::min(later_starts + 1, plan_.ladder.size());
-      while (contender.next < last && !advance(contender, until)) {
-      }
+      while (contender.next < last && !advance(contender, until)) continue;
       if (!contender.runs.empty() || contender.out) continue;
       contender.out = true;
       if (!stopped() && spent() < until) ++table_.refused;  // else there was no time to see
@@ -137,7 +121,7 @@ class ChartStudy {
       const std::optional<std::size_t> best = best_prospect(prospects, until - spent());
       if (!best) return;
       contenders_[*best].expected.reset();
-      (void)advance(contenders_[*best], request_.budget);
+      (void)advance(contenders_[*best], study_.request.budget);
     }
   }
 
@@ -151,13 +135,15 @@ class ChartStudy {
     };
     if (std::ranges::none_of(fair, near)) return;
     contenders_[index].varied = true;
-    for (ChartFamily& family : neighbours(contenders_[index].family, variation_)) {
+    for (ChartFamily& family : neighbours(contenders_[index].family, study_.variation)) {
       const Contender& parent = contenders_[index];
       Predicted expected{fair.front().setup, fair.front().stepping, fair.front().errors};
       if (family.step_share) expected.stepping *= *parent.family.step_share / *family.step_share;
       for (double& error : expected.errors) error /= variant_hope;
       const std::size_t first = parent.first;
-      const auto is_it = [&](const Contender& other) { return other.family.label == family.label; };
+      const auto is_it = [&](const Contender& other) {
+        return other.family.family == family.family;
+      };
       if (const auto it = std::ranges::find_if(contenders_, is_it); it != contenders_.end()) {
         if (!it->expected || it->first != first) continue;
         for (std::size_t q = 0; q < expected.errors.size(); ++q)  // what the best parent promises
@@ -177,18 +163,12 @@ class ChartStudy {
   bool advance(Contender& contender, double until) {
     if (contender.runs.empty()) contender.first = contender.next;
     const double spacing = plan_.ladder[contender.next++];
+    const ChartVariation& variation = study_.variation;
     ChartPoint point;
-    point.family = contender.family.label;
-    point.overrides = contender.family.overrides;
-    std::ranges::copy(variation_.overrides(contender.family), std::back_inserter(point.overrides));
+    static_cast<ChartModel&>(point) = contender.family;
+    std::ranges::copy(variation.overrides(contender.family), std::back_inserter(point.overrides));
     point.overrides.push_back(fmt::format("body.spacing={}", spacing));
-    point.formulation = contender.family.formulation;
-    point.kernel = contender.family.kernel;
-    point.stabiliser = contender.family.stabiliser;
-    point.support = contender.family.support;
-    point.order = contender.family.order;
-    point.law = variation_.law_of(contender.family);
-    point.step_share = contender.family.step_share;
+    point.law = variation.law_of(contender.family);
     point.spacing = spacing;
     try {
       if (!time_once(point, until)) return true;  // not to its end: no point
@@ -203,47 +183,39 @@ class ChartStudy {
     }
     if (!contender.out)
       contender.runs.push_back({spacing, point.setup_seconds, point.time(), point.errors});
-    add(std::move(point));
+    study_.add(std::move(point));
     return true;
   }
 
   /// One run of a point, its time added. False if it did not come to its end in time.
   bool time_once(ChartPoint& point, double until) {
-    show(fmt::format("{} at {:.4g} m", point.family, point.spacing));
+    const std::string what = fmt::format("{} at {:.4g} m", point.family, point.spacing);
+    study_.show(what);
     std::vector<std::string> overrides = {"output.frames=0"};
-    overrides.insert(overrides.end(), request_.overrides.begin(), request_.overrides.end());
-    overrides.insert(overrides.end(), point.overrides.begin(), point.overrides.end());
+    std::ranges::copy(study_.request.overrides, std::back_inserter(overrides));
+    std::ranges::copy(point.overrides, std::back_inserter(overrides));
     std::atomic<bool> stop{false};
-    RunOptions run_options;
-    run_options.threads = options_.threads;
-    run_options.stop_requested = &stop;
-    run_options.progress = [&](const Progress&) {
-      show(fmt::format("{} at {:.4g} m", point.family, point.spacing));
+    RunOptions options;
+    options.threads = study_.options.threads;
+    options.stop_requested = &stop;
+    options.progress = [&](const Progress&) {
+      study_.show(what);
       if (stopped() || spent() > until) stop = true;
     };
-    ProbeHistories histories;
-    if (!plan_.values.empty()) run_options.histories = &histories;
-    const Summary summary = tlsph::run(read_scene(request_.scene, overrides), run_options);
-    if (summary.interrupted) return false;
+    const auto run =
+        run_probed(read_scene(study_.request.scene, overrides), options, !plan_.values.empty());
+    if (!run) return false;
+    const Summary& summary = run->summary;
     if (point.seconds.empty()) {
       point.particles = summary.particles;
       point.steps = summary.steps;
       point.setup_seconds = summary.wall_setup;
-      point.errors = errors_of(summary, histories.computed);
+      point.errors = errors_of(summary);
+      for (const double value : read_values(plan_.values, run->history))
+        point.errors.push_back(std::abs(value / table_.answers[point.errors.size()] - 1.0));
     }
     point.seconds.push_back(summary.wall_stepping);
     return true;
-  }
-
-  [[nodiscard]] std::vector<double> errors_of(const Summary& summary,
-                                              const History& history) const {
-    std::vector<double> errors;
-    if (summary.errors)
-      errors = {summary.errors->displacement, summary.errors->velocity, summary.errors->stress};
-    if (plan_.values.empty()) return errors;
-    for (const double value : read_values(plan_.values, history))
-      errors.push_back(std::abs(value / table_.answers[errors.size()] - 1.0));
-    return errors;
   }
 
   void repeat_front() {
@@ -254,31 +226,15 @@ class ChartStudy {
                             point.peer.empty() && point.seconds.size() <= round;
         const double cost = point.setup_seconds + point.time();
         if (stopped()) return;
-        if (wanted && spent() + cost < request_.budget) (void)time_once(point, request_.budget);
+        const double budget = study_.request.budget;
+        if (wanted && spent() + cost < budget) (void)time_once(point, budget);
       }
     }
   }
 
-  void add(ChartPoint point) {
-    table_.points.push_back(std::move(point));
-    if (options_.after_point)
-      options_.after_point(table_.points.back(), std::min(1.0, spent() / request_.budget));
-    // Now and then, for whom the rest does not come.
-    if (table_.points.size() % 20 == 0) write();
-  }
-
-  void write() {
-    table_.spent = spent();
-    table_.mark_fronts();
-    table_.write(options_.out);
-  }
-
-  const ChartRequest& request_;
-  const ChartPlan& plan_;
-  const ChartOptions& options_;
-  const ChartVariation variation_;
-  const Stopwatch watch_;
-  ChartTable table_;
+  ChartStudy study_;
+  const ChartPlan& plan_ = study_.plan;
+  ChartTable& table_ = study_.table;
   std::vector<Contender> contenders_;
 };
 
@@ -286,7 +242,7 @@ class ChartStudy {
 
 ChartTable chart(const ChartRequest& request, const ChartOptions& options) {
   const ChartPlan plan = plan_chart(request);
-  return removed_if_refused(options.out, [&] { return ChartStudy(request, plan, options).run(); });
+  return removed_if_refused(options.out, [&] { return ChartSearch(request, plan, options).run(); });
 }
 
 }  // namespace tlsph

@@ -8,19 +8,20 @@
 
 #include "convergence_plan.hpp"
 #include "peers.hpp"
-#include "probe_values.hpp"
+#include "readings.hpp"
 #include "tlsph/analysis/not_known.hpp"
 #include "tlsph/core/dimensions.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/model/builder.hpp"
 #include "tlsph/scene/names.hpp"
 #include "tlsph/scene/reader.hpp"
+#include "tlsph/studies/converge.hpp"
 
 namespace tlsph {
 namespace {
 
 /// Spacings a chart tries of itself: from this many halvings above the scene's to so many below.
-constexpr int coarsest = 2, finest = 6;
+constexpr int halvings_above = 2, halvings_below = 6;
 
 /// Refuses a spacing that does not divide the body of the scene.
 void check_spacing(const Scene& scene, double spacing) {
@@ -32,30 +33,36 @@ void check_spacing(const Scene& scene, double spacing) {
 
 /// Spacings that divide the body; those that are asked for must.
 std::vector<double> ladder_of(const ChartRequest& request, const Scene& scene) {
-  std::vector<double> ladder;
-  if (request.spacings.empty()) {
-    // Finer ones divide it where this one does; their particles would only cost memory here.
-    for (int halvings = -coarsest; halvings <= finest; ++halvings) {
-      const double next = scene.body.spacing * std::pow(2.0, -halvings);
-      try {
-        if (halvings < 0) check_spacing(scene, next);
-        ladder.push_back(next);
-      } catch (const InputError&) {
-        ladder.clear();
-      }
-    }
-    return ladder;
-  }
-  ladder = sorted_spacings(request.spacings);
+  std::vector<double> ladder = sorted_spacings(request.spacings);
   for (const double next : ladder) check_spacing(scene, next);
+  if (!ladder.empty()) return ladder;
+  // Finer ones divide it where this one does; their particles would only cost memory here.
+  for (int halvings = -halvings_above; halvings <= halvings_below; ++halvings) {
+    const double next = scene.body.spacing * std::pow(2.0, -halvings);
+    try {
+      if (halvings < 0) check_spacing(scene, next);
+      ladder.push_back(next);
+    } catch (const InputError&) {
+      ladder.clear();
+    }
+  }
   return ladder;
 }
 
-template <int D>
-void check_buildable(const Scene& scene) {
-  const Discretisation<D> disc = build<D>(scene);
-  (void)build_initial<D>(scene, disc);
-  (void)build_exact<D>(scene, disc);
+/// Share of a value that its change from one spacing to the next may be to count as noise.
+constexpr double settled = 1e-5;
+
+double limit_of(const ConvergenceValue& value, const std::vector<double>& spacings) {
+  if (std::isfinite(value.limit) && value.limit != 0.0) return value.limit;
+  if (const std::size_t n = value.medians.size(); n >= 3) {
+    const double finest = value.medians[n - 1];
+    if (finest != 0.0 && std::abs(finest - value.medians[n - 2]) <= settled * std::abs(finest))
+      return finest;
+  }
+  throw InputError({"--value " + value.name, 0, 0, ""},
+                   fmt::format("does not settle at the spacings {:.4g}, {:.4g} and {:.4g}: give "
+                               "its answer, {}=…",
+                               spacings[0], spacings[1], spacings[2], value.name));
 }
 
 }  // namespace
@@ -87,8 +94,8 @@ ChartPlan plan_chart(const ChartRequest& request) {
   for (const ChartValue& value : request.values) plan.values.push_back(value.name);
   check_value_names(plan.values, plan.scene);
   if (plan.scene.exact != ExactKind::none) {
-    plan.quantities = {"displacement", "velocity", "stress"};
-    plan.answers.assign(3, not_known);
+    plan.quantities = error_field_names();
+    plan.answers.assign(plan.quantities.size(), not_known);
   } else if (plan.values.empty()) {
     throw InputError({plan.scene.file, 0, 0, ""},
                      "nothing to be near to: no reference.exact; give --value NAME=ANSWER, e.g. "
@@ -100,8 +107,48 @@ ChartPlan plan_chart(const ChartRequest& request) {
   }
   check_peers(request.peers, request.overrides);
   plan.ladder = ladder_of(request, plan.scene);
-  in_dimension(plan.scene.dimension, [&]<int D>() { check_buildable<D>(plan.scene); });
+  check_buildable(plan.scene);
   return plan;
+}
+
+std::vector<double> find_answers(const ChartRequest& request, double h, const StudyOptions& options,
+                                 int threads, const std::function<void()>& progress) {
+  std::vector<double> answers;
+  ConvergenceRequest study;
+  for (const ChartValue& value : request.values) {
+    answers.push_back(value.answer.value_or(not_known));
+    if (!value.answer) study.values.push_back(value.name);
+  }
+  if (study.values.empty()) return answers;
+  study.scene = request.scene;
+  study.overrides = request.overrides;
+  study.spacings = {2.0 * h, h, 0.5 * h};
+  ConvergenceOptions study_options;
+  study_options.out = options.out / "answer";
+  study_options.threads = threads;
+  study_options.stop_requested = options.stop_requested;
+  study_options.run_progress = [&](const Progress&) { progress(); };
+  const ConvergenceTable table = converge(study, study_options);
+  if (table.interrupted) return answers;
+  for (const ConvergenceValue& value : table.values)
+    for (std::size_t k = 0; k < answers.size(); ++k)
+      if (request.values[k].name == value.name) answers[k] = limit_of(value, study.spacings);
+  return answers;
+}
+
+void ChartStudy::show(const std::string& what) const {
+  if (options.progress) options.progress(what, std::min(1.0, spent() / request.budget));
+}
+
+void ChartStudy::add(ChartPoint point) {
+  table.points.push_back(std::move(point));
+  if (table.points.size() % 20 == 0) write();
+}
+
+void ChartStudy::write() {
+  table.spent = spent();
+  table.mark_fronts();
+  table.write(options.out);
 }
 
 }  // namespace tlsph

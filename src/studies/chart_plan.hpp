@@ -1,9 +1,14 @@
 #pragma once
 /// \file
-/// What a chart measures, and at which spacings, judged before anything runs.
+/// What a chart measures, and at which spacings, judged before anything runs; and the study while
+/// it runs.
 
+#include <functional>
+#include <string>
 #include <vector>
 
+#include "chart_families.hpp"
+#include "tlsph/core/stopwatch.hpp"
 #include "tlsph/studies/chart.hpp"
 
 namespace tlsph {
@@ -18,5 +23,29 @@ struct ChartPlan {
 
 /// Reads and builds the scene as it stands at its coarsest spacing. Throws InputError.
 [[nodiscard]] ChartPlan plan_chart(const ChartRequest& request);
+
+/// One a value of the request: its answer, or the limit by Richardson from the scene as it stands
+/// at twice, once and half its spacing h [m]; the finest where the last two agree so well that
+/// their difference is noise. Runs are kept in `out`/answer. InputError for a value that does not
+/// settle.
+[[nodiscard]] std::vector<double> find_answers(const ChartRequest& request, double h,
+                                               const StudyOptions& options, int threads,
+                                               const std::function<void()>& progress);
+
+struct ChartStudy {
+  const ChartRequest& request;
+  const ChartPlan& plan;
+  const ChartOptions& options;
+  ChartVariation variation = chart_variation(plan.scene);
+  ChartTable table = {};
+  Stopwatch watch = {};
+
+  [[nodiscard]] double spent() const { return watch.seconds(); }  ///< [s]
+  void show(const std::string& what) const;
+  /// Adds a point to the table; writes the files every 20 points, in case the study is killed.
+  void add(ChartPoint point);
+  /// Judges the points and writes the files.
+  void write();
+};
 
 }  // namespace tlsph

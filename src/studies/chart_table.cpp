@@ -11,6 +11,7 @@
 #include "tlsph/io/table.hpp"
 #include "tlsph/studies/chart.hpp"
 #include "tlsph/studies/chart_search.hpp"
+#include "tlsph/studies/converge.hpp"
 
 namespace tlsph {
 namespace {
@@ -144,7 +145,7 @@ Table<ChartPoint> point_table(const std::vector<std::string>& quantities) {
   return table;
 }
 
-/// Fills `judged`, family by family. Peers keep their luck: nobody chose among many of them.
+/// Fills `judged`, family by family. Peers keep their errors: they are not picked from many.
 void judge(ChartTable& table) {
   std::map<std::string, std::vector<ChartPoint*>> families;
   for (ChartPoint& point : table.points) {
@@ -168,11 +169,7 @@ void judge(ChartTable& table) {
 }  // namespace
 
 double ChartPoint::time() const {
-  if (seconds.empty()) return not_known;
-  std::vector<double> values = seconds;
-  std::ranges::sort(values);
-  const std::size_t n = values.size();
-  return n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
+  return spread_of(seconds).median;
 }
 
 std::vector<bool> pareto_front(const std::vector<double>& times,

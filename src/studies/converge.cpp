@@ -5,14 +5,11 @@
 #include <optional>
 
 #include "convergence_plan.hpp"
-#include "probe_differences.hpp"
-#include "probe_values.hpp"
-#include "tlsph/analysis/not_known.hpp"
+#include "readings.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/io/files.hpp"
 #include "tlsph/io/new_files.hpp"
 #include "tlsph/simulation/version.hpp"
-#include "tlsph/studies/convergence_levels.hpp"
 
 namespace tlsph {
 namespace {
@@ -23,13 +20,11 @@ class Study {
   Study(const ConvergenceRequest& request, const ConvergencePlan& plan,
         const ConvergenceOptions& options)
       : plan_(plan), options_(options) {
-    const PlannedRun& first = plan.series.front().levels.front().front();
+    const PlannedRun& first = plan.series.front().front().front();
     table_.scene = first.scene.file;
     table_.version = version();
     table_.method = plan.method;
-    table_.quantities = by_probes()
-                            ? recorded_quantities(first.scene)
-                            : std::vector<std::string>{"displacement", "velocity", "stress"};
+    table_.quantities = by_probes() ? recorded_quantities(first.scene) : error_field_names();
     for (const Variation& variation : request.over) table_.over.push_back(variation.key);
     if (!request.clouds.empty()) table_.sample_key = "body.cloud";
     if (!request.seeds.empty()) table_.sample_key = "body.seed";
@@ -45,14 +40,12 @@ class Study {
   ConvergenceTable run() {
     for (const PlannedSeries& series : plan_.series) {
       start_series();
-      for (std::size_t level = 0; level < series.levels.size() && !table_.interrupted; ++level) {
-        for (const PlannedRun& planned : series.levels[level])
-          if (!add_row(series, planned)) {
-            table_.interrupted = true;
-            break;
-          }
+      for (const std::vector<PlannedRun>& level : series) {
+        table_.interrupted = !std::ranges::all_of(
+            level, [&](const PlannedRun& planned) { return add_row(planned); });
         conclude();
         write();
+        if (table_.interrupted) break;
       }
       if (table_.interrupted) break;
       extrapolate(series);
@@ -73,36 +66,27 @@ class Study {
   }
 
   /// False if a signal stopped the run before its end.
-  bool add_row(const PlannedSeries& series, const PlannedRun& planned) {
-    ConvergenceRow row;
-    row.series = series.label;
-    row.formulation = series.formulation;
-    row.over = series.over;
-    row.sample = planned.sample;
-    row.spacing = planned.spacing;
-    row.particles = planned.particles;
+  bool add_row(const PlannedRun& planned) {
+    ConvergenceRow row = planned.row;
     row.dt = row.wall_seconds = not_known;
     row.errors.assign(table_.quantities.size(), not_known);
     row.orders = row.errors;
     if (options_.before_run) options_.before_run(row);
     RunOptions run_options;
     run_options.threads = options_.threads;
-    run_options.progress = options_.progress;
+    run_options.progress = options_.run_progress;
     run_options.stop_requested = options_.stop_requested;
     if (keeps_probes_) run_options.out = options_.out / planned.folder;
-    ProbeHistories histories;
-    if (keeps_probes_) run_options.histories = &histories;
     std::optional<History> history;
     try {
-      const Summary summary = tlsph::run(planned.scene, run_options);
-      if (summary.interrupted) return false;
+      auto run = run_probed(planned.scene, run_options, keeps_probes_);
+      if (!run) return false;
+      const Summary& summary = run->summary;
       row.steps = summary.steps;
       row.dt = summary.dt;
       row.wall_seconds = summary.wall_setup + summary.wall_stepping;
-      if (summary.errors)
-        row.errors = {summary.errors->displacement, summary.errors->velocity,
-                      summary.errors->stress};
-      if (keeps_probes_) history = std::move(histories.computed);
+      if (summary.errors) row.errors = errors_of(summary);
+      if (keeps_probes_) history = std::move(run->history);
     } catch (const NumericalError& failure) {
       row.failure = failure.what();
     }
@@ -117,7 +101,7 @@ class Study {
   }
 
   /// Differences of the probes between levels, a sample at a time: from the run of the same seed at
-  /// the next finer spacing that any run came to the end of.
+  /// the next finer spacing at which any run reached its end.
   void compare_probes() {
     std::vector<std::string> samples;
     for (const ConvergenceRow& row : rows())
@@ -194,7 +178,7 @@ class Study {
     const History limit =
         extrapolated(*histories_[coarse], *histories_[fine],
                      rows()[coarse].spacing / rows()[fine].spacing, table_.quantities, orders);
-    const std::filesystem::path folder = series.levels.front().front().folder.parent_path();
+    const std::filesystem::path folder = series.front().front().folder.parent_path();
     if (!limit.names.empty())
       write_history(options_.out / folder / "probes_extrapolated.csv", limit);
   }

@@ -1,10 +1,9 @@
-#include "tlsph/studies/convergence_levels.hpp"
-
+// What the runs of a series show: how samples scatter, the orders, the limits.
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 
-#include "tlsph/analysis/not_known.hpp"
+#include "tlsph/studies/converge.hpp"
 
 namespace tlsph {
 namespace {
@@ -16,11 +15,11 @@ using Rows = std::span<const ConvergenceRow>;
 /// Rows of one spacing, coarse to fine.
 std::vector<Rows> by_level(Rows rows) {
   std::vector<Rows> levels;
-  for (std::size_t first = 0; first < rows.size();) {
-    std::size_t last = first + 1;
-    while (last < rows.size() && rows[last].particles == rows[first].particles) ++last;
-    levels.push_back(rows.subspan(first, last - first));
-    first = last;
+  while (!rows.empty()) {
+    const auto next = std::ranges::find_if(
+        rows, [&](const ConvergenceRow& row) { return row.particles != rows.front().particles; });
+    levels.emplace_back(rows.begin(), next);
+    rows = {next, rows.end()};
   }
   return levels;
 }
@@ -43,8 +42,7 @@ struct Orders {
 /// series: the orders are those of the rest.
 Orders orders_of(const std::vector<ConvergenceLevel>& levels, std::size_t quantity,
                  double Spread::*pick, ConvergenceMethod method) {
-  std::vector<double> spacings;
-  std::vector<double> errors;
+  std::vector<double> spacings, errors;
   std::vector<std::size_t> used;
   for (std::size_t k = 0; k < levels.size(); ++k) {
     const ConvergenceLevel& level = levels[k];
@@ -69,7 +67,7 @@ Orders orders_of(const std::vector<ConvergenceLevel>& levels, std::size_t quanti
   return orders;
 }
 
-/// Richardson's estimate for the finest of the levels that came to an end.
+/// Richardson's estimate for the finest level with a run that did not fail.
 double finest_error(const std::vector<ConvergenceLevel>& levels, std::size_t quantity,
                     double order) {
   std::vector<const ConvergenceLevel*> used;
@@ -146,13 +144,12 @@ std::vector<ConvergenceValue> find_limits(Rows rows, const std::vector<std::stri
       value.medians.push_back(spread.median);
       value.highest.push_back(spread.worst);
     }
-    if (const std::size_t n = value.medians.size(); n >= 3) {
+    if (value.medians.size() >= 3) {
       const std::span<const double> h = std::span(value.spacings).last<3>();
       const std::span<const double> f = std::span(value.medians).last<3>();
-      const std::array<double, 2> differences = {f[1] - f[0], f[2] - f[1]};
-      if (differences[0] * differences[1] > 0.0) {
-        const std::array<double, 2> sizes = {std::abs(differences[0]), std::abs(differences[1])};
-        value.order = fit_order_of_differences(h, sizes).order;
+      if ((f[1] - f[0]) * (f[2] - f[1]) > 0.0) {
+        const std::array differences = {std::abs(f[1] - f[0]), std::abs(f[2] - f[1])};
+        value.order = fit_order_of_differences(h, differences).order;
         value.limit = richardson_limit(f[1], f[2], h[1] / h[2], value.order);
         value.finest_error = std::abs(f[2] / value.limit - 1.0);
         if (!(value.order > 0.0)) value.order = not_known;

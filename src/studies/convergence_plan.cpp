@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 
-#include "probe_values.hpp"
+#include "readings.hpp"
 #include "tlsph/core/dimensions.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/model/builder.hpp"
@@ -28,67 +30,61 @@ void check_once(const Place& option, const std::vector<T>& entries) {
       throw InputError(option, fmt::format("{} stands twice; each once", *entry));
 }
 
-/// Formulations first, then the other keys in their order; each value with each. What a study has
-/// an option for is refused as a key.
-std::vector<Variation> variations_of(const ConvergenceRequest& request) {
+/// What a series sets beside the sizes of its particles.
+struct Choice {
+  std::vector<std::string> overrides;
+  std::vector<std::string> over;  // values of the compared keys
+  std::string keys;               // " key=value" for each of these
+};
+
+/// Formulations first, then the other keys in their order; each value with each, the last key turns
+/// fastest. A key that a study has an option for is refused.
+std::vector<Choice> choices_of(const ConvergenceRequest& request) {
+  constexpr std::array<std::pair<const char*, const char*>, 4> options = {
+      {{"formulation", "--formulation"},
+       {"body.spacing", "--spacing"},
+       {"body.seed", "--seed"},
+       {"body.cloud", "--cloud"}}};
   check_once(formulation_option, request.formulations);
   check_formulations(request.formulations);
-  std::vector<Variation> variations;
-  if (!request.formulations.empty()) variations.push_back({"formulation", request.formulations});
-  for (const Variation& variation : request.over) {
-    const Place place{"--over " + variation.key, 0, 0, ""};
-    for (const auto& [key, option] :
-         {std::pair("formulation", "--formulation"), std::pair("body.spacing", "--spacing"),
-          std::pair("body.seed", "--seed"), std::pair("body.cloud", "--cloud")})
-      if (variation.key == key) throw InputError(place, fmt::format("has an option, {}", option));
-    for (const Variation& other : variations)
-      if (other.key == variation.key) throw InputError(place, "stands twice; each key once");
-    variations.push_back(variation);
-  }
-  return variations;
-}
-
-/// Which value of each variation a series takes: the last key turns fastest.
-std::vector<std::vector<std::string>> combinations(const std::vector<Variation>& variations) {
-  std::vector<std::vector<std::string>> result = {{}};
-  for (const Variation& variation : variations) {
-    std::vector<std::vector<std::string>> longer;
-    for (const auto& start : result)
-      for (const std::string& value : variation.values) {
-        longer.push_back(start);
-        longer.back().push_back(value);
+  std::vector<Choice> choices = {{}};
+  if (!request.formulations.empty()) choices.clear();
+  for (const std::string& name : request.formulations)
+    choices.push_back({{"formulation=" + name}, {}, ""});
+  std::vector<std::string> keys;
+  for (const auto& [key, values] : request.over) {
+    const Place place{"--over " + key, 0, 0, ""};
+    for (const auto& [name, option] : options)
+      if (key == name) throw InputError(place, fmt::format("has an option, {}", option));
+    if (std::ranges::find(keys, key) != keys.end())
+      throw InputError(place, "stands twice; each key once");
+    keys.push_back(key);
+    std::vector<Choice> longer;
+    for (const Choice& start : choices)
+      for (const std::string& value : values) {
+        Choice& next = longer.emplace_back(start);
+        next.overrides.push_back(key + "=" + value);
+        next.over.push_back(value);
+        next.keys += " " + next.overrides.back();
       }
-    result = std::move(longer);
+    choices = std::move(longer);
   }
-  return result;
+  return choices;
 }
 
-template <int D>
-void divide(PlannedRun& run) {
-  const Particles<D> particles = build_particles<D>(run.scene);
-  run.spacing = particles.spacing;
-  run.particles = particles.size();
+/// The run of a scene with its spacing and number of particles.
+PlannedRun divided(Scene scene) {
+  PlannedRun run{std::move(scene), {}, {}};
+  in_dimension(run.scene.dimension, [&]<int D>() {
+    const Particles<D> particles = build_particles<D>(run.scene);
+    run.row.spacing = particles.spacing;
+    run.row.particles = particles.size();
+  });
+  return run;
 }
 
 std::filesystem::path stem_of(const std::string& file) {
   return std::filesystem::path(file).stem();
-}
-
-template <int D>
-bool same_particles(const Scene& a, const Scene& b) {
-  return build_particles<D>(a).X == build_particles<D>(b).X;
-}
-
-/// Builds all a run is made of and lets it go.
-template <int D>
-void check_buildable(const Scene& scene) {
-  const Discretisation<D> disc = build<D>(scene);
-  (void)build_initial<D>(scene, disc);
-  (void)build_exact<D>(scene, disc);
-  std::vector<ProbeRequest<D>> probes;
-  for (const ProbeScene& probe : scene.probes)
-    probes.push_back({probe.name, Eigen::Map<const Vector<D>>(probe.at.data()), {}});
-  (void)Probes<D>(disc, probes);
 }
 
 /// Plans one series after the other.
@@ -97,7 +93,7 @@ class Planner {
   explicit Planner(const ConvergenceRequest& request)
       : request_(request),
         spacings_(sorted_spacings(request.spacings)),
-        variations_(variations_of(request)) {
+        choices_(choices_of(request)) {
     const bool clouds = !request.clouds.empty();
     if (clouds && !spacings_.empty())
       throw InputError(cloud_option, "a cloud has its spacing: give --spacing or --cloud");
@@ -110,56 +106,53 @@ class Planner {
       throw InputError(spacing_option, fmt::format("{} given; at least 2", spacings_.size()));
   }
 
-  PlannedSeries series(const std::vector<std::string>& values) {
-    PlannedSeries series;
-    std::vector<std::string> chosen;  // overrides
-    std::string keys;
-    for (std::size_t v = 0; v < values.size(); ++v) {
-      chosen.push_back(variations_[v].key + "=" + values[v]);
-      if (variations_[v].key == "formulation") continue;
-      series.over.push_back(values[v]);
-      keys += " " + chosen.back();
-    }
-    series.levels = request_.clouds.empty() ? by_spacing(chosen) : by_cloud(chosen);
-    const Scene& coarsest = series.levels.front().front().scene;
-    series.formulation = name_of(coarsest.formulation);
-    series.label = series.formulation + keys;
-    std::string folder = series.label;
+  [[nodiscard]] const std::vector<Choice>& choices() const { return choices_; }
+
+  [[nodiscard]] PlannedSeries series(const Choice& choice) const {
+    PlannedSeries levels =
+        request_.clouds.empty() ? by_spacing(choice.overrides) : by_cloud(choice.overrides);
+    const Scene& coarsest = levels.front().front().scene;
+    const std::string formulation(name_of(coarsest.formulation));
+    std::string folder = formulation + choice.keys;
     std::ranges::replace_if(
         folder, [](char c) { return c == ' ' || c == '/'; }, '_');
-    for (auto& level : series.levels)
-      for (PlannedRun& run : level) run.folder = folder / run.folder;
-    check_levels(series.levels.size(), coarsest);
-    check_seeds(series.levels.front());
-    in_dimension(coarsest.dimension, [&]<int D>() { check_buildable<D>(coarsest); });
-    return series;
+    for (auto& level : levels)
+      for (PlannedRun& run : level) {
+        run.row.series = formulation + choice.keys;
+        run.row.formulation = formulation;
+        run.row.over = choice.over;
+        run.folder = folder / run.folder;
+      }
+    check_levels(levels.size(), coarsest);
+    check_seeds(levels.front());
+    check_buildable(coarsest);
+    return levels;
   }
 
  private:
   /// The scene of one run. Frames are of no use to a study, unless the user asks for them; what the
   /// study varies comes last, so that it wins.
-  Scene scene_of(std::vector<std::string> chosen) const {
+  Scene scene_of(const std::vector<std::string>& chosen) const {
     std::vector<std::string> overrides = {"output.frames=0"};
-    overrides.insert(overrides.end(), request_.overrides.begin(), request_.overrides.end());
-    std::ranges::move(chosen, std::back_inserter(overrides));
+    std::ranges::copy(request_.overrides, std::back_inserter(overrides));
+    std::ranges::copy(chosen, std::back_inserter(overrides));
     return read_scene(request_.scene, overrides);
   }
 
-  std::vector<std::vector<PlannedRun>> by_spacing(const std::vector<std::string>& chosen) const {
-    std::vector<std::vector<PlannedRun>> levels;
+  PlannedSeries by_spacing(const std::vector<std::string>& chosen) const {
+    PlannedSeries levels;
     for (const double spacing : spacings_) {
-      PlannedRun run;
       std::vector<std::string> overrides = chosen;
       overrides.push_back(fmt::format("body.spacing={}", spacing));
-      run.scene = scene_of(overrides);
-      if (levels.empty()) check_levels(spacings_.size(), run.scene);
+      Scene scene = scene_of(overrides);
+      if (levels.empty()) check_levels(spacings_.size(), scene);
+      PlannedRun run = divided(std::move(scene));
       run.folder = fmt::format("{}", spacing);
-      in_dimension(run.scene.dimension, [&]<int D>() { divide<D>(run); });
-      if (!levels.empty() && !(run.spacing < levels.back().front().spacing * (1.0 - 1e-9)))
+      if (!levels.empty() && !(run.row.spacing < levels.back().front().row.spacing * (1.0 - 1e-9)))
         throw InputError(spacing_option,
                          fmt::format("{} divides the body like the spacing before it, into {}; "
                                      "leave one out",
-                                     spacing, run.spacing));
+                                     spacing, run.row.spacing));
       levels.push_back(request_.seeds.empty() ? std::vector{run} : seeded(run, overrides));
     }
     return levels;
@@ -169,36 +162,38 @@ class Planner {
     std::vector<PlannedRun> samples(request_.seeds.size(), run);
     overrides.emplace_back();
     for (std::size_t k = 0; k < samples.size(); ++k) {
-      samples[k].sample = fmt::format("{}", request_.seeds[k]);
-      overrides.back() = "body.seed=" + samples[k].sample;
+      std::string& sample = samples[k].row.sample;
+      sample = fmt::format("{}", request_.seeds[k]);
+      overrides.back() = "body.seed=" + sample;
       samples[k].scene = scene_of(overrides);
-      samples[k].folder /= "seed-" + samples[k].sample;
+      samples[k].folder /= "seed-" + sample;
     }
     return samples;
   }
 
-  std::vector<std::vector<PlannedRun>> by_cloud(const std::vector<std::string>& chosen) const {
+  PlannedSeries by_cloud(const std::vector<std::string>& chosen) const {
     std::vector<PlannedRun> runs;
     for (const std::string& cloud : request_.clouds) {
-      PlannedRun run;
       const auto namesakes = std::ranges::count(
-          runs, stem_of(cloud), [](const PlannedRun& other) { return stem_of(other.sample); });
+          runs, stem_of(cloud), [](const PlannedRun& other) { return stem_of(other.row.sample); });
       std::vector<std::string> overrides = chosen;
       // Quoted: a path is a text, whatever it looks like.
       overrides.push_back(
           fmt::format("body.cloud='{}'", std::filesystem::absolute(cloud).string()));
-      run.scene = scene_of(overrides);
-      run.scene.body.spacing = 0.0;  // its own, not one for all
-      run.sample = cloud;
+      Scene scene = scene_of(overrides);
+      scene.body.spacing = 0.0;  // its own, not one for all
+      PlannedRun run = divided(std::move(scene));
+      run.row.sample = cloud;
       run.folder = stem_of(cloud);
       if (namesakes > 0) run.folder += fmt::format("-{}", namesakes + 1);
-      in_dimension(run.scene.dimension, [&]<int D>() { divide<D>(run); });
       runs.push_back(std::move(run));
     }
-    std::ranges::stable_sort(runs, {}, &PlannedRun::particles);
-    std::vector<std::vector<PlannedRun>> levels;
+    const auto particles = [](const PlannedRun& run) { return run.row.particles; };
+    std::ranges::stable_sort(runs, {}, particles);
+    PlannedSeries levels;
     for (PlannedRun& run : runs) {
-      if (levels.empty() || levels.back().front().particles != run.particles) levels.emplace_back();
+      if (levels.empty() || particles(levels.back().front()) != particles(run))
+        levels.emplace_back();
       levels.back().push_back(std::move(run));
     }
     return levels;
@@ -224,14 +219,15 @@ class Planner {
     if (request_.seeds.size() < 2) return;
     const Scene& a = samples[0].scene;
     const Scene& b = samples[1].scene;
-    if (in_dimension(a.dimension, [&]<int D>() { return same_particles<D>(a, b); }))
+    if (in_dimension(a.dimension,
+                     [&]<int D>() { return build_particles<D>(a).X == build_particles<D>(b).X; }))
       throw InputError(seed_option,
                        "the particles do not depend on it; move them, with body.jitter=0.2");
   }
 
   const ConvergenceRequest& request_;
   std::vector<double> spacings_;
-  std::vector<Variation> variations_;
+  std::vector<Choice> choices_;
 };
 
 }  // namespace
@@ -254,13 +250,24 @@ void check_formulations(const std::vector<std::string>& names) {
                                                        choices<Formulation>()));
 }
 
+void check_buildable(const Scene& scene) {
+  in_dimension(scene.dimension, [&]<int D>() {
+    const Discretisation<D> disc = build<D>(scene);
+    (void)build_initial<D>(scene, disc);
+    (void)build_exact<D>(scene, disc);
+    std::vector<ProbeRequest<D>> probes;
+    for (const ProbeScene& probe : scene.probes)
+      probes.push_back({probe.name, Eigen::Map<const Vector<D>>(probe.at.data()), {}});
+    (void)Probes<D>(disc, probes);
+  });
+}
+
 ConvergencePlan plan_convergence(const ConvergenceRequest& request) {
-  Planner planner(request);
+  const Planner planner(request);
   ConvergencePlan plan;
-  for (const std::vector<std::string>& values : combinations(variations_of(request)))
-    plan.series.push_back(planner.series(values));
+  for (const Choice& choice : planner.choices()) plan.series.push_back(planner.series(choice));
   const auto exact = [](const PlannedSeries& series) {
-    return series.levels.front().front().scene.exact != ExactKind::none;
+    return series.front().front().scene.exact != ExactKind::none;
   };
   plan.method = exact(plan.series.front()) ? ConvergenceMethod::exact : ConvergenceMethod::probes;
   for (const PlannedSeries& series : plan.series)

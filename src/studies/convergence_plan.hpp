@@ -12,17 +12,12 @@ namespace tlsph {
 /// One run to come.
 struct PlannedRun {
   Scene scene;
-  std::string sample;            ///< seed or file of the cloud; empty: alone on its level
   std::filesystem::path folder;  ///< <series>/<spacing as asked for>[/<sample>]
-  double spacing = 0.0;  ///< [m], as it divides the body; the one it is estimated at of a cloud
-  Index particles = 0;
+  ConvergenceRow row;            ///< as far as it is known before the run
 };
 
-struct PlannedSeries {
-  std::string label, formulation;
-  std::vector<std::string> over;                ///< values of the compared keys
-  std::vector<std::vector<PlannedRun>> levels;  ///< from coarse to fine, each of samples
-};
+/// Levels from coarse to fine, each of samples.
+using PlannedSeries = std::vector<std::vector<PlannedRun>>;
 
 struct ConvergencePlan {
   ConvergenceMethod method = ConvergenceMethod::exact;
@@ -33,6 +28,9 @@ struct ConvergencePlan {
 [[nodiscard]] std::vector<double> sorted_spacings(std::vector<double> spacings);
 /// InputError, naming the option, for a name that is no formulation.
 void check_formulations(const std::vector<std::string>& names);
+
+/// Builds all that a run of the scene is made of and drops it. Throws InputError.
+void check_buildable(const Scene& scene);
 
 /// Reads every scene of the study, divides its body and builds the coarsest of each series, so that
 /// what cannot run is refused here. Throws InputError.

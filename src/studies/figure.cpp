@@ -39,18 +39,15 @@ fs::path validation_folder() {
   return {};
 }
 
-Figure draw_figure(const std::string& kind, const fs::path& data) {
-  return draw_figure(kind, data, fs::path(data).replace_extension(".png"));
-}
-
 Figure draw_figure(const std::string& kind, const fs::path& data, const fs::path& file) {
+  const fs::path beside = fs::path(data).replace_extension(".png");
   Figure figure;
-  figure.file = file;
+  figure.file = file.empty() ? beside : file;
   const fs::path script = plot_script();
   figure.command =
       fmt::format("python3 {} {} {}", script.empty() ? "validation/plot.py" : script.string(), kind,
                   data.string());
-  if (file != fs::path(data).replace_extension(".png")) figure.command += " --out " + file.string();
+  if (figure.file != beside) figure.command += " --out " + figure.file.string();
   if (script.empty()) return figure;
   // -B: no byte code beside the scripts, which may lie where only the system writes.
   figure.drawn = run_process({python(), "-B", script.string(), kind, data.string(), "--out",

@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "chart_answers.hpp"
-#include "fit_pilot.hpp"
+#include "chart_plan.hpp"
 #include "fit_plan.hpp"
 #include "tlsph/analysis/not_known.hpp"
 #include "tlsph/core/error.hpp"
@@ -51,7 +50,7 @@ class FitStudy {
     find_answer();
     for (const ChartFamily& family : plan_.families) {
       if (stopped()) break;
-      table_.families.push_back({family.label, family.overrides, {}, false, 0, 0, 0, 0, ""});
+      table_.families.push_back({family.family, family.overrides, {}, false, 0, 0, 0, 0, ""});
       explore(table_.families.back());
     }
     if (!stopped()) choose_and_verify();
@@ -66,13 +65,10 @@ class FitStudy {
 
   void find_answer() {
     if (!request_.value) return;
-    ChartRequest study;
-    study.scene = request_.scene;
-    study.overrides = request_.overrides;
-    study.values = {*request_.value};
-    table_.answer = find_answers(study, plan_.spacing, options_, options_.threads, [&] {
-                      show("extrapolating the answer");
-                    }).front();
+    table_.answer =
+        find_answers(plan_.study, plan_.study.spacings.front(), options_, options_.threads, [&] {
+          show("extrapolating the answer");
+        }).front();
   }
 
   void show(const std::string& what) const {
@@ -118,15 +114,8 @@ class FitStudy {
       } catch (const NumericalError&) {
         if (!family.pilots.empty()) family.note = "failed";
       }
-      if (!family.note.empty()) return;
-      if (family.pilots.empty()) {
-        if (++tries == starts) {
-          family.note = "refused";
-          return;
-        }
-      } else if (is_done(family)) {
-        return;
-      }
+      if (family.pilots.empty() && ++tries == starts) family.note = "refused";
+      if (!family.note.empty() || (!family.pilots.empty() && is_done(family))) return;
       spacing = next_division(*scene, spacing / refinement);
       if (spacing <= 0.0) return;
     }
@@ -134,37 +123,29 @@ class FitStudy {
 
   /// Concludes, if there is nothing to be learnt from a finer pilot.
   bool is_done(FitFamily& family) {
+    const std::vector<Pilot>& pilots = family.pilots;
     const double target = aim * table_.wanted;
-    if (is_bracketed(family.pilots, target)) {
+    const double next =
+        predicted_seconds(pilots, pilots.back().spacing / refinement, plan_.scene.dimension);
+    // Where the finest has met the error, a finer one is to tell whether that was luck.
+    const bool meets = std::abs(pilots.back().error) <= target;
+    if (is_bracketed(pilots, target))
       conclude(family);
-      return true;
-    }
-    if (hoped_seconds(family.pilots, target, plan_.scene.dimension) > best_seconds()) {
+    else if (hoped_seconds(pilots, target, plan_.scene.dimension) > best_seconds() ||
+             (!meets && next > best_seconds()))
       family.note = "dearer";
-      return true;
-    }
-    const double next = predicted_seconds(family.pilots, family.pilots.back().spacing / refinement,
-                                          plan_.scene.dimension);
-    // Where the finest has met it, a finer one is to tell whether that was luck.
-    if (std::abs(family.pilots.back().error) > target && next > best_seconds()) {
-      family.note = "dearer";
-      return true;
-    }
-    if (has_stalled(family.pilots)) {
+    else if (has_stalled(pilots))
       family.note = "stalls";
-      return true;
-    }
-    if (next > longest_pilot || (next > long_pilot && has_settled(family.pilots))) {
+    else if (next > longest_pilot || (next > long_pilot && has_settled(pilots)))
       conclude(family);
-      return true;
-    }
-    return false;
+    else
+      return false;
+    return true;
   }
 
   void conclude(FitFamily& family) const {
     tlsph::conclude(family, aim * table_.wanted,
-                    scene_of(family.overrides, family.pilots.back().spacing),
-                    plan_.scene.dimension);
+                    scene_of(family.overrides, family.pilots.back().spacing));
   }
 
   /// Of the families that reach the error; nullptr if none does.

@@ -1,10 +1,11 @@
-#include "tlsph/studies/fit_model.hpp"
-
+// From the pilots of one family to the spacing of a wanted error and what it will cost.
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "tlsph/analysis/order.hpp"
+#include "tlsph/studies/chart_search.hpp"
+#include "tlsph/studies/fit.hpp"
 
 namespace tlsph {
 namespace {

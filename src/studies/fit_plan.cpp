@@ -9,11 +9,12 @@
 #include <string_view>
 
 #include "chart_plan.hpp"
-#include "probe_values.hpp"
+#include "readings.hpp"
 #include "tlsph/core/dimensions.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/filling/division.hpp"
 #include "tlsph/geometry/region.hpp"
+#include "tlsph/model/builder.hpp"
 #include "tlsph/scene/edit.hpp"
 #include "tlsph/scene/names.hpp"
 #include "tlsph/scene/reader.hpp"
@@ -23,7 +24,6 @@
 namespace tlsph {
 namespace {
 
-constexpr std::array<const char*, 3> quantities = {"displacement", "velocity", "stress"};
 /// What is the model's to choose.
 constexpr std::array<const char*, 14> chosen = {
     "formulation", "boundary_treatment", "boundary_solver", "precision",     "consistency",
@@ -32,7 +32,7 @@ constexpr std::array<const char*, 14> chosen = {
 /// Choices of a family that may differ from the defaults of its formulation; kernels differ little.
 constexpr int variety = 1;
 
-/// What a scene says of these is for its run; who sets one beside the scene wants it kept.
+/// A scene may set these keys for its own run; an override that sets one contradicts the fit.
 void check_overrides(const std::vector<std::string>& overrides) {
   for (const std::string& text : overrides) {
     const std::string key = text.substr(0, text.find('='));
@@ -53,7 +53,7 @@ void check(const FitRequest& request, const Scene& scene) {
         fmt::format("{} is no relative error; allowed: above 0, below 1", request.error));
   if (!request.quantity.empty()) {
     const Place option{"--quantity", 0, 0, ""};
-    if (std::ranges::find(quantities, request.quantity) == quantities.end())
+    if (std::ranges::find(error_fields, request.quantity, &ErrorField::name) == error_fields.end())
       throw InputError(option, fmt::format("there is no \"{}\"; choose from displacement, "
                                            "velocity, stress",
                                            request.quantity));
@@ -154,20 +154,33 @@ double next_division_in(const Scene& scene, double spacing) {
   return 0.0;
 }
 
+/// Runs shorter than this are repeated: their time is noise [s].
+constexpr double short_run = 0.05;
+constexpr int repetitions = 3;
+/// Stands for an error of zero, because logarithms of errors are taken.
+constexpr double zero = 1e-16;
+/// Share of the memory that a model may need.
+constexpr double usable = 0.8;
+
+double error_of(const FitRequest& request, const ProbedRun& run, double answer) {
+  if (request.value) return read_values({request.value->name}, run.history).front() / answer - 1.0;
+  const FieldErrors& errors = run.summary.errors.value();
+  for (const ErrorField& field : error_fields)
+    if (request.quantity == field.name) return errors.*field.error;
+  return std::ranges::max(errors_of(run.summary));
+}
+
 }  // namespace
 
 FitPlan plan_fit(const FitRequest& request) {
   const Scene scene = read_scene(request.scene, request.overrides);
   check(request, scene);
-  ChartRequest study;
-  study.scene = request.scene;
-  study.overrides = request.overrides;
-  if (request.value) study.values = {*request.value};
-  study.spacings = {scene.body.spacing};
-  (void)plan_chart(study);
-
   FitPlan plan;
-  plan.spacing = scene.body.spacing;
+  plan.study.scene = request.scene;
+  plan.study.overrides = request.overrides;
+  if (request.value) plan.study.values = {*request.value};
+  plan.study.spacings = {scene.body.spacing};
+  (void)plan_chart(plan.study);
   plan.scene = bare(scene, request);
   reduce(plan, request, scene);
   plan.quantity = request.value              ? request.value->name
@@ -185,6 +198,51 @@ FitPlan plan_fit(const FitRequest& request) {
 double next_division(const Scene& scene, double spacing) {
   return in_dimension(scene.dimension,
                       [&]<int D>() { return next_division_in<D>(scene, spacing); });
+}
+
+std::optional<Pilot> run_pilot(const FitRequest& request, double answer, const Scene& scene,
+                               const FitOptions& options, const std::function<void()>& progress) {
+  Pilot pilot;
+  for (int k = 0; k < repetitions && (k == 0 || pilot.stepping < short_run); ++k) {
+    RunOptions run_options;
+    run_options.threads = options.threads;
+    run_options.stop_requested = options.stop_requested;
+    run_options.progress = [&](const Progress&) { progress(); };
+    const auto run = run_probed(scene, run_options, request.value.has_value());
+    if (!run) return std::nullopt;
+    const Summary& summary = run->summary;
+    if (k == 0) {
+      const double error = error_of(request, *run, answer);
+      pilot = {summary.spacing,   summary.wall_setup, summary.wall_stepping,      0.0,
+               summary.particles, summary.steps,      error == 0.0 ? zero : error};
+    }
+    pilot.setup = std::min(pilot.setup, summary.wall_setup);
+    pilot.stepping = std::min(pilot.stepping, summary.wall_stepping);
+  }
+  const bool factorises = scene.formulation == Formulation::thesis || scene.consistency.has_value();
+  pilot.charged = pilot.stepping + (factorises ? pilot.setup : 0.0);
+  return pilot;
+}
+
+void conclude(FitFamily& family, double error, const Scene& scene) {
+  const auto errors = believed_errors(family.pilots);
+  family.order = observed_order(family.pilots, errors);
+  // A pilot that lies on the spacing itself counts, whatever its last digits.
+  const double spacing = spacing_for(family.pilots, errors, error) * (1.0 + 1e-9);
+  family.spacing = next_division(scene, spacing);
+  family.reaches = family.spacing > 0.0;
+  if (!family.reaches) return;
+  const Pilot& finest = family.pilots.back();
+  const double particles = static_cast<double>(finest.particles) *
+                           std::pow(finest.spacing / family.spacing, scene.dimension);
+  if (operator_bytes(scene, particles) + correction_bytes(scene, particles) >
+      usable * machine_bytes()) {
+    family.reaches = false;
+    family.note = "more memory than there is";
+    return;
+  }
+  family.predicted_error = predicted_error(family.pilots, errors, family.spacing);
+  family.predicted_seconds = predicted_seconds(family.pilots, family.spacing, scene.dimension);
 }
 
 }  // namespace tlsph

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
+#include <sstream>
 
 #include "tlsph/io/files.hpp"
 #include "tlsph/io/table.hpp"
@@ -13,18 +14,11 @@
 namespace tlsph {
 namespace {
 
-/// The scene without what a reader of a terminal does not look for: blank first lines.
 std::string indented(const std::string& text) {
+  std::istringstream lines(text);
   std::string result;
-  std::string line;
-  for (const char c : text + (text.ends_with('\n') ? "" : "\n")) {
-    if (c != '\n') {
-      line += c;
-      continue;
-    }
+  for (std::string line; std::getline(lines, line);)
     result.append(line.empty() ? "" : "    ").append(line).append("\n");
-    line.clear();
-  }
   return result;
 }
 

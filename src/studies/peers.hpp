@@ -4,12 +4,10 @@
 /// name, a spacing, an end time and, for those that can choose, a share of the critical step and a
 /// law, answering with one line of JSON (validation/peers/README.md).
 
-#include <atomic>
-#include <filesystem>
 #include <string>
 #include <vector>
 
-#include "tlsph/studies/chart.hpp"
+#include "chart_plan.hpp"
 
 namespace tlsph {
 
@@ -17,22 +15,8 @@ namespace tlsph {
 /// make the scene another than the peers know.
 void check_peers(const std::vector<std::string>& names, const std::vector<std::string>& overrides);
 
-/// A peer as it is to run.
-struct PeerVariant {
-  std::string script;  ///< its name
-  std::string label;   ///< the same and what is not the scene's
-  double share = 0.9;  ///< of the critical step
-  std::string law;     ///< empty: the scene's
-};
-
-struct PeerRun {
-  ChartPoint point;
-  std::string unable;  ///< why there is no point
-};
-
-/// One run of a peer, killed after `seconds`; its words go into files in `folder`.
-[[nodiscard]] PeerRun run_peer(const PeerVariant& variant, const Scene& scene, double spacing,
-                               const ChartTable& table, const std::filesystem::path& folder,
-                               double seconds, const std::atomic<bool>* stop_requested);
+/// Runs the peers of the request until so many seconds of the study are spent, each from spacing to
+/// spacing within its part of the time, in the variants of time step and law that it can be given.
+void run_peers(ChartStudy& study, double until);
 
 }  // namespace tlsph

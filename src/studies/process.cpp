@@ -15,54 +15,38 @@
 namespace tlsph {
 namespace {
 
-/// What a child gets: streams, and a group of its own, so that its children can be ended with it.
-class SpawnSettings {
- public:
-  explicit SpawnSettings(const ProcessOptions& options)
-      : valid_(posix_spawn_file_actions_init(&actions_) == 0 &&
-               posix_spawnattr_init(&attributes_) == 0) {
-    if (!valid_) return;
-    constexpr int write = O_WRONLY | O_CREAT | O_TRUNC;
-    constexpr mode_t mode = 0644;
-    int failure =
-        posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    failure |= posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, options.out.c_str(),
-                                                write, mode);
-    failure |= posix_spawn_file_actions_addopen(&actions_, STDERR_FILENO, options.err.c_str(),
-                                                write, mode);
-    failure |= posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP);
-    valid_ = failure == 0;
+/// The process id of a child with these streams, in a group of its own, so that its children can be
+/// ended with it; 0 if it did not start.
+pid_t spawn(std::vector<std::string>& words, const ProcessOptions& options) {
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  posix_spawn_file_actions_t streams{};
+  posix_spawnattr_t attributes{};
+  const auto redirect = [&](int stream, const std::filesystem::path& file, int flags) {
+    return posix_spawn_file_actions_addopen(&streams, stream, file.c_str(), flags, 0644);
+  };
+  constexpr int write = O_WRONLY | O_CREAT | O_TRUNC;
+  if (posix_spawn_file_actions_init(&streams) != 0) return 0;
+  pid_t child = 0;
+  if (posix_spawnattr_init(&attributes) == 0) {
+    if (redirect(STDIN_FILENO, "/dev/null", O_RDONLY) != 0 ||
+        redirect(STDOUT_FILENO, options.out, write) != 0 ||
+        redirect(STDERR_FILENO, options.err, write) != 0 ||
+        posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP) != 0 ||
+        posix_spawnp(&child, argv[0], &streams, &attributes, argv.data(), environ) != 0)
+      child = 0;
+    posix_spawnattr_destroy(&attributes);
   }
-  SpawnSettings(const SpawnSettings&) = delete;
-  SpawnSettings& operator=(const SpawnSettings&) = delete;
-  ~SpawnSettings() {
-    posix_spawn_file_actions_destroy(&actions_);
-    posix_spawnattr_destroy(&attributes_);
-  }
-
-  /// Process id, 0 if it did not start.
-  [[nodiscard]] pid_t spawn(std::vector<std::string>& words) const {
-    std::vector<char*> argv;
-    for (std::string& word : words) argv.push_back(word.data());
-    argv.push_back(nullptr);
-    pid_t child = 0;
-    if (!valid_ ||
-        posix_spawnp(&child, argv[0], &actions_, &attributes_, argv.data(), environ) != 0)
-      return 0;
-    return child;
-  }
-
- private:
-  posix_spawn_file_actions_t actions_{};
-  posix_spawnattr_t attributes_{};
-  bool valid_;
-};
+  posix_spawn_file_actions_destroy(&streams);
+  return child;
+}
 
 }  // namespace
 
 std::optional<int> run_process(std::vector<std::string> words, const ProcessOptions& options) {
   const Stopwatch watch;
-  const pid_t child = SpawnSettings(options).spawn(words);
+  const pid_t child = spawn(words, options);
   if (child == 0) return std::nullopt;
   const bool watched = options.seconds || options.stop_requested != nullptr;
   bool killed = false;

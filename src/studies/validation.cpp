@@ -1,6 +1,7 @@
 #include "tlsph/studies/validation.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sys/types.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -16,10 +17,10 @@
 #include "tlsph/core/error.hpp"
 #include "tlsph/core/stopwatch.hpp"
 #include "tlsph/io/files.hpp"
+#include "tlsph/io/json.hpp"
 #include "tlsph/linear/blas_threads.hpp"
 #include "tlsph/simulation/version.hpp"
 #include "tlsph/studies/figure.hpp"
-#include "validation_table.hpp"
 
 namespace tlsph {
 namespace {
@@ -27,11 +28,12 @@ namespace {
 namespace fs = std::filesystem;
 
 std::vector<Case> chosen_cases(std::span<const Case> cases, const ValidationOptions& options) {
-  std::string names;
-  for (const Case& entry : cases) names.append(names.empty() ? "" : " | ").append(entry.name);
+  std::vector<std::string_view> names;
+  for (const Case& entry : cases) names.push_back(entry.name);
   for (const std::string& name : options.only)
-    if (std::ranges::find(cases, name, &Case::name) == cases.end())
-      throw InputError(fmt::format("there is no case \"{}\"; choose from {}", name, names));
+    if (std::ranges::find(names, name) == names.end())
+      throw InputError(
+          fmt::format("there is no case \"{}\"; choose from {}", name, fmt::join(names, " | ")));
   std::vector<Case> chosen;
   for (const Case& entry : cases) {
     const bool named =
@@ -94,7 +96,7 @@ CaseResult collect(const Case& entry, int status, double seconds,
   CaseResult result = named(entry);
   result.seconds = seconds;
   try {
-    if (!WIFSIGNALED(status)) return read_checks(Json::read(handed_over(options, entry)));
+    if (!WIFSIGNALED(status)) return CaseResult::read(Json::read(handed_over(options, entry)));
     result.failure =
         fmt::format("ended by signal {} ({})", WTERMSIG(status), sigdescr_np(WTERMSIG(status)));
   } catch (const InputError& error) {
@@ -117,18 +119,23 @@ class Validation {
   }
 
   ValidationTable run() {
-    const auto places = static_cast<std::size_t>(
-        options_.at_once > 0 ? options_.at_once
-                             : static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
+    const std::size_t places = options_.at_once > 0
+                                   ? static_cast<std::size_t>(options_.at_once)
+                                   : std::max(1U, std::thread::hardware_concurrency());
+    ValidationTable table;
+    table.version = version();
     while (!waiting_.empty() || !workers_.empty()) {
-      if (stopped()) break;
+      table.interrupted = stopped();
+      if (table.interrupted) break;
       while (!waiting_.empty() && workers_.size() < places) start_next();
       if (!gather()) {
         if (options_.progress) options_.progress(running(), share());
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
       }
     }
-    return table();
+    for (const auto& result : results_)
+      if (result) table.cases.push_back(*result);
+    return table;
   }
 
  private:
@@ -136,7 +143,6 @@ class Validation {
     if (!options_.stopped()) return false;
     for (const Worker& worker : workers_) kill(worker.process, SIGTERM);
     for (const Worker& worker : workers_) waitpid(worker.process, nullptr, 0);
-    interrupted_ = true;
     return true;
   }
 
@@ -155,7 +161,7 @@ class Validation {
       int code = EXIT_FAILURE;
       try {
         const CaseResult result = result_of(entry, folder_, options_);
-        case_table().json({result}).front().write(handed_over(options_, entry));
+        result.json().write(handed_over(options_, entry));
         code = EXIT_SUCCESS;
       } catch (...) {  // nothing was handed over, which the parent sees
       }
@@ -181,19 +187,10 @@ class Validation {
 
   [[nodiscard]] double share() const { return done_ / total_; }
 
-  [[nodiscard]] std::vector<std::string> running() const {
-    std::vector<std::string> names;
-    for (const Worker& worker : workers_) names.emplace_back(cases_[worker.index].name);
-    return names;
-  }
-
-  [[nodiscard]] ValidationTable table() const {
-    ValidationTable table;
-    table.version = version();
-    table.interrupted = interrupted_;
-    for (const auto& result : results_)
-      if (result) table.cases.push_back(*result);
-    return table;
+  [[nodiscard]] std::string running() const {
+    std::vector<std::string_view> names;
+    for (const Worker& worker : workers_) names.push_back(cases_[worker.index].name);
+    return fmt::format("running {}", fmt::join(names, ", "));
   }
 
   std::vector<Case> cases_;
@@ -203,7 +200,6 @@ class Validation {
   std::vector<Worker> workers_;
   std::vector<std::optional<CaseResult>> results_;
   double total_ = 0.0, done_ = 0.0;
-  bool interrupted_ = false;
 };
 
 }  // namespace

@@ -7,10 +7,9 @@
 #include <limits>
 #include <utility>
 
-#include "tlsph/analysis/not_known.hpp"
 #include "tlsph/io/files.hpp"
+#include "tlsph/io/table.hpp"
 #include "tlsph/studies/validation.hpp"
-#include "validation_table.hpp"
 
 namespace tlsph {
 namespace {
@@ -108,7 +107,7 @@ Table<Line> line_table() {
   return Table<Line>{{"", &Line::name, {"case", "<"}}} + check_table().of(&Line::check);
 }
 
-/// A case that came to no end has a line that says why.
+/// A case that failed before its end has a line with the reason.
 std::vector<Line> lines_of(const ValidationTable& table) {
   std::vector<Line> lines;
   for (const CaseResult& result : table.cases) {
@@ -121,10 +120,7 @@ std::vector<Line> lines_of(const ValidationTable& table) {
 }
 
 std::string verdict(const ValidationTable& table) {
-  std::size_t checks = 0;
-  std::size_t reported = 0;
-  std::size_t missed = 0;
-  std::size_t ended = 0;
+  std::size_t checks = 0, reported = 0, missed = 0, ended = 0;
   for (const CaseResult& result : table.cases) {
     ended += result.failure.empty() ? 1 : 0;
     for (const Check& check : result.checks) {
@@ -144,9 +140,9 @@ std::string verdict(const ValidationTable& table) {
 
 }  // namespace
 
-Table<CaseResult> case_table() {
+Json CaseResult::json() const {
   using Row = CaseResult;
-  return {
+  static const Table<Row> table = {
       {"case", &Row::name},
       {"title", &Row::title},
       {"holds", &Row::holds},
@@ -156,9 +152,10 @@ Table<CaseResult> case_table() {
       {"failure", &Row::failure},
       {"checks", [](const Row& row) { return check_table().json(row.checks); }},
   };
+  return table.json({*this}).front();
 }
 
-CaseResult read_checks(const Json& json) {
+CaseResult CaseResult::read(const Json& json) {
   CaseResult result;
   result.name = json.text("case");
   result.title = json.text("title");
@@ -219,7 +216,8 @@ void ValidationTable::write(const std::filesystem::path& directory) const {
   json.set("version", version);
   json.set("holds", holds());
   json.set("interrupted", interrupted);
-  json.set("cases", case_table().json(cases));
+  json.make_list("cases");
+  for (const CaseResult& result : cases) json.append("cases", result.json());
   json.write(directory / "validation.json");
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 /// \file
-/// Orders of convergence: how an error e ≈ C h^p falls with the spacing h, from errors against an
-/// exact solution or, where there is none, from the differences between runs of successive
-/// spacings.
+/// The straight line through points, and orders of convergence: how an error e ≈ C h^p falls with
+/// the spacing h, from errors against an exact solution or, where there is none, from the
+/// differences between runs of successive spacings.
 
 #include <span>
 #include <vector>
@@ -10,6 +10,16 @@
 #include "tlsph/analysis/not_known.hpp"
 
 namespace tlsph {
+
+/// y = c + p x. Not a number where there are too few points for it: two, of the error three.
+struct LineFit {
+  double slope = not_known;           ///< p
+  double intercept = not_known;       ///< c
+  double standard_error = not_known;  ///< of p
+};
+
+/// By least squares.
+[[nodiscard]] LineFit fit_line(std::span<const double> x, std::span<const double> y);
 
 /// The order p and constant C of a model with C > 0, by least squares on the logarithms. Not a
 /// number where too few values are positive and finite.

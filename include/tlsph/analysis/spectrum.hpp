@@ -1,7 +1,8 @@
 #pragma once
 /// \file
-/// Whole spectra of small sparse operators, by dense linear algebra: n² memory, n³ time. The only
-/// door to Armadillo. What only the extremes are needed of goes to linear/krylov.hpp.
+/// Whole spectra of small sparse operators, by dense linear algebra: n² memory, n³ time; and how
+/// fast motions with such a spectrum grow. The only door to Armadillo. Where only the extremes are
+/// needed, linear/krylov.hpp finds them.
 
 #include <complex>
 #include <vector>
@@ -29,7 +30,13 @@ struct Modes {
 /// symmetric; other errors as above.
 [[nodiscard]] Modes lowest_modes(const SparseMatrix& matrix, Index count);
 
-/// All min(rows, columns) singular values, largest first. Errors as above.
-[[nodiscard]] std::vector<double> singular_values(const SparseMatrix& matrix);
+/// Largest Re(s) [1/s] of the free motions e^{st}, s² = −ω²: zero where all ω² are real and
+/// positive, up to the square root of round-off.
+[[nodiscard]] double growth_rate(const std::vector<std::complex<double>>& squared_frequencies);
+
+/// ln |z| of the fastest motion zⁿ under the central difference of step `dt` [s], where
+/// z − 2 + 1/z = −ω² dt².
+[[nodiscard]] double growth_per_step(const std::vector<std::complex<double>>& squared_frequencies,
+                                     double dt);
 
 }  // namespace tlsph

@@ -11,7 +11,7 @@
 #include "tlsph/analysis/not_known.hpp"
 #include "tlsph/core/types.hpp"
 #include "tlsph/operators/row_storage.hpp"
-#include "tlsph/studies/study_options.hpp"
+#include "tlsph/studies/study.hpp"
 
 namespace tlsph {
 

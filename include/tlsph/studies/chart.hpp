@@ -4,13 +4,12 @@
 /// answer, within a budget of time. A configuration is a *family* (formulation, kernel, support,
 /// order, stabiliser) at a spacing, in *variants* of time step and law.
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "tlsph/simulation/simulation.hpp"
-#include "tlsph/studies/study_options.hpp"
+#include "tlsph/studies/study.hpp"
 
 namespace tlsph {
 
@@ -34,19 +33,22 @@ struct ChartRequest {
   std::vector<std::string> peers;         ///< scripts of validation/peers
 };
 
-/// A configuration and what it took, of this program or of a peer.
-struct ChartPoint {
-  std::string peer;    ///< empty: this program; "fe_q4 linear step 0.99": a script and its variant
-  std::string family;  ///< in a few words; of a peer its note
-  std::vector<std::string> overrides;  ///< what sets the family and the spacing, for `tlsph run`
+/// A configuration but for its spacing.
+struct ChartModel {
+  std::string family;  ///< "variational 2.5 order 2 pair viscosity"; of a peer its note
+  std::vector<std::string> overrides;           ///< key=value, for `tlsph run`
   std::string formulation, kernel, stabiliser;  ///< empty for a peer
   std::optional<double> support;                ///< [spacings]; empty: the nodes of a cell
   int order = 0;
-  std::string law;                   ///< of the materials, joined by "+"; empty for a peer that
-                                     ///< does not say
-  std::optional<double> step_share;  ///< of the critical step; empty: a step of the scene, or of a
-                                     ///< peer, of its own
-  double spacing = 0.0;              ///< [m]
+  std::optional<double> step_share;  ///< of the critical step; empty: the scene or the peer gives
+                                     ///< the step
+};
+
+/// A configuration and its runs, of this program or of a peer.
+struct ChartPoint : ChartModel {
+  std::string peer;      ///< empty: this program; "fe_q4 linear step 0.99": script and variant
+  std::string law;       ///< of the materials, joined by "+"; empty for a peer that does not say
+  double spacing = 0.0;  ///< [m]
   Index particles = 0;
   long steps = 0;
   double setup_seconds = 0.0;   ///< the first run's
@@ -87,7 +89,7 @@ struct ChartTable {
   void write(const std::filesystem::path& directory) const;
 };
 
-/// Which of the points are on the front: no other is as fast and as near, and one of both by more.
+/// Which points are on the front: no other is as fast and as accurate, and better in one of both.
 /// Values that are not finite are on none.
 [[nodiscard]] std::vector<bool> pareto_front(const std::vector<double>& times,
                                              const std::vector<double>& errors);
@@ -95,9 +97,6 @@ struct ChartTable {
 /// `out` holds chart.csv, chart.json and what the runs leave.
 struct ChartOptions : StudyOptions {
   int threads = 1;  ///< of every run; peers take one
-  /// Called when a point is done, with the share of the budget that is spent.
-  std::function<void(const ChartPoint&, double share)> after_point;
-  std::function<void(const std::string& what, double share)> progress;  ///< several times a second
 };
 
 /// Runs the study. First every family at the coarsest spacing, those nearest to the defaults first,

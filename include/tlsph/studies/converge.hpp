@@ -7,13 +7,14 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "tlsph/analysis/not_known.hpp"
 #include "tlsph/analysis/order.hpp"
 #include "tlsph/simulation/simulation.hpp"
-#include "tlsph/studies/study_options.hpp"
+#include "tlsph/studies/study.hpp"
 
 namespace tlsph {
 
@@ -106,6 +107,24 @@ struct ConvergenceValue {
   double finest_error = not_known;  ///< |finest/limit − 1|
 };
 
+/// Best, median and worst of errors; a failure is an infinite error, what is not a number does not
+/// count. The median of an even number is the mean of the middle two.
+[[nodiscard]] Spread spread_of(std::vector<double> errors);
+
+/// The levels of one series, whose rows stand from coarse to fine with samples side by side; their
+/// orders, and the fit of each quantity. Errors of method `probes` are differences.
+struct SeriesOrders {
+  std::vector<ConvergenceLevel> levels;
+  std::vector<ConvergenceFit> fits;
+};
+[[nodiscard]] SeriesOrders find_orders(std::span<const ConvergenceRow> rows,
+                                       const std::vector<std::string>& quantities,
+                                       ConvergenceMethod method);
+
+/// The values of one series and their limits, one a name.
+[[nodiscard]] std::vector<ConvergenceValue> find_limits(std::span<const ConvergenceRow> rows,
+                                                        const std::vector<std::string>& names);
+
 struct ConvergenceTable {
   std::string scene, version;
   ConvergenceMethod method = ConvergenceMethod::exact;
@@ -135,7 +154,7 @@ struct ConvergenceTable {
 struct ConvergenceOptions : StudyOptions {
   int threads = 0;                                                   ///< as for a run
   std::function<void(const ConvergenceRow&)> before_run, after_run;  ///< may be empty
-  std::function<void(const Progress&)> progress;                     ///< of the current run
+  std::function<void(const Progress&)> run_progress;                 ///< of the current run
 };
 
 /// Runs the study. InputError, before anything is written, for fewer than two levels (three

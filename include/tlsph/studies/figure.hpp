@@ -19,11 +19,10 @@ struct Figure {
 /// source tree. Empty if there is none.
 [[nodiscard]] std::filesystem::path validation_folder();
 
-/// `plot.py KIND DATA --out FILE`; FILE is DATA with the suffix .png unless it is given. The script
-/// is $TLSPH_PLOT, else that of the validation folder; Python is /usr/bin/python3, else the first
-/// on the path.
-[[nodiscard]] Figure draw_figure(const std::string& kind, const std::filesystem::path& data);
+/// `plot.py KIND DATA --out FILE`; FILE is DATA with the suffix .png if it is empty. The script is
+/// $TLSPH_PLOT, else that of the validation folder; Python is /usr/bin/python3, else the first on
+/// the path.
 [[nodiscard]] Figure draw_figure(const std::string& kind, const std::filesystem::path& data,
-                                 const std::filesystem::path& file);
+                                 const std::filesystem::path& file = {});
 
 }  // namespace tlsph

@@ -3,8 +3,10 @@
 /// The plain way to make a step: one sparse product of Eigen for every direction and component, a
 /// pointwise law, an update. What a sweep is measured against.
 
+#include <variant>
 #include <vector>
 
+#include "tlsph/dynamics/stabiliser_forces.hpp"
 #include "tlsph/formulations/discretisation.hpp"
 
 namespace tlsph {
@@ -13,19 +15,51 @@ template <int D>
 class PlainStep {
  public:
   /// Of a free body of one law.
-  explicit PlainStep(const Discretisation<D>& discretisation, const VectorField<D>& u);
-  void step(double dt);
-  [[nodiscard]] const Eigen::VectorXd& displacement(int component) const {
-    return u_[at(component)];
+  PlainStep(const Discretisation<D>& disc, const VectorField<D>& u)
+      : disc_(disc), stabiliser_(stabiliser_matrix<D>(disc)), u_(u) {
+    for (int a = 0; a < D; ++a) {
+      gradient_.push_back(disc.gradient.matrix(a));
+      divergence_.push_back(disc.divergence.matrix(a));
+    }
+    v_ = f_ = Columns<D>::Zero(u.rows(), D);
+    H_ = P_ = Columns<D * D>::Zero(disc.points.size(), D * D);
+  }
+
+  void step(double dt) {
+    for (int c = 0; c < D * D; ++c)
+      H_.col(c).noalias() = gradient_[static_cast<std::size_t>(c % D)] * u_.col(c / D);
+    std::visit(
+        [&](const auto& law) {
+          for (Index s = 0; s < disc_.points.size(); ++s) {
+            Tensor<D> H;
+            for (int c = 0; c < D * D; ++c) H.data()[c] = H_(s, c);
+            const Tensor<D> P = law.pk1(H);
+            for (int c = 0; c < D * D; ++c) P_(s, c) = P.data()[c];
+          }
+        },
+        disc_.regions.front().law);
+    for (int i = 0; i < D; ++i) {
+      f_.col(i).noalias() = divergence_[0] * P_.col(i * D);
+      for (int a = 1; a < D; ++a)
+        f_.col(i).noalias() += divergence_[static_cast<std::size_t>(a)] * P_.col(i * D + a);
+      if (stabiliser_.nonZeros() > 0) f_.col(i).noalias() -= stabiliser_ * u_.col(i);
+      for (Index q = 0; q < disc_.nodes(); ++q) {
+        v_(q, i) += dt * disc_.inverse_mass(q, i) * f_(q, i);
+        u_(q, i) += dt * v_(q, i);
+      }
+    }
   }
 
  private:
-  static std::size_t at(int k) { return static_cast<std::size_t>(k); }
+  /// Each column in one piece of memory.
+  template <int N>
+  using Columns = Eigen::Matrix<double, Eigen::Dynamic, N>;
+
   const Discretisation<D>& disc_;
   std::vector<SparseMatrix> gradient_, divergence_;  // a direction each
   SparseMatrix stabiliser_;                          // as stiffness, multiplied out
-  std::vector<Eigen::VectorXd> u_, v_, f_;           // a component each
-  std::vector<Eigen::VectorXd> H_, P_;               // component i and direction a at i*D + a
+  Columns<D> u_, v_, f_;
+  Columns<D * D> H_, P_;  // component i and direction a at i*D + a
 };
 
 }  // namespace tlsph

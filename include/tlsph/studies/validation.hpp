@@ -25,6 +25,8 @@
 
 namespace tlsph {
 
+class Json;
+
 /// How an observed number is held against its reference.
 enum class Criterion {
   relative,  ///< |observed − reference| ≤ tolerance |reference|
@@ -158,6 +160,11 @@ struct CaseResult {
   std::string undrawn;         ///< what would draw it, where that did not work
   double seconds = 0.0;
   [[nodiscard]] bool holds() const;
+
+  /// How the process of a case hands it over; an entry of validation.json.
+  [[nodiscard]] Json json() const;
+  /// InputError if the document is no such thing.
+  [[nodiscard]] static CaseResult read(const Json& json);
 };
 
 struct ValidationTable {
@@ -183,8 +190,6 @@ struct ValidationOptions : StudyOptions {
   bool figures = true;
   /// Called when a case ends, with the share of the work that is done.
   std::function<void(const CaseResult&, double share)> after_case;
-  /// Called about five times a second with the names of what runs.
-  std::function<void(const std::vector<std::string>& running, double share)> progress;
 };
 
 /// Runs cases side by side, each in a process of its own, so that one that crashes is one that

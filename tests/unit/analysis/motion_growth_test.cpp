@@ -1,4 +1,5 @@
-#include "tlsph/analysis/motion_growth.hpp"
+#include "tlsph/analysis/history.hpp"
+#include "tlsph/analysis/spectrum.hpp"
 
 #include <gtest/gtest.h>
 

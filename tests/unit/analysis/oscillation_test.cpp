@@ -1,4 +1,4 @@
-#include "tlsph/analysis/oscillation.hpp"
+#include "tlsph/analysis/history.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -34,22 +34,6 @@ double chain_frequency(int n, int place) {
   return 2.0 * std::sin((n - place) * std::numbers::pi / (2.0 * (n + 1)));
 }
 
-TEST(SingularValues, OfTheDifferencesAreTheFrequenciesOfAChain) {
-  constexpr int n = 20;
-  const SparseMatrix B = differences(n);
-
-  const auto tall = singular_values(B);
-  const auto wide = singular_values(B.transpose());
-
-  ASSERT_EQ(tall.size(), n);
-  ASSERT_EQ(wide.size(), n);
-  for (int k = 0; k < n; ++k) {
-    const auto at = static_cast<std::size_t>(k);
-    EXPECT_NEAR(tall[at], chain_frequency(n, k), 1e-13);
-    EXPECT_NEAR(wide[at], chain_frequency(n, k), 1e-13);
-  }
-}
-
 TEST(Eigenvalues, OfASymmetricMatrixAreRealAndFall) {
   constexpr int n = 20;
   const SparseMatrix B = differences(n);
@@ -101,13 +85,11 @@ TEST(Eigenvalues, StandByModulusWithConjugatesTogether) {
 
 TEST(Spectrum, OfNothingIsEmpty) {
   EXPECT_TRUE(eigenvalues(SparseMatrix(0, 0)).empty());
-  EXPECT_TRUE(singular_values(SparseMatrix(0, 3)).empty());
 }
 
 TEST(Spectrum, IsRefusedWhereThereIsNone) {
   EXPECT_THROW((void)eigenvalues(SparseMatrix(2, 3)), InputError);
   EXPECT_THROW((void)eigenvalues(SparseMatrix(largest_dense + 1, largest_dense + 1)), InputError);
-  EXPECT_THROW((void)singular_values(SparseMatrix(1, largest_dense + 1)), InputError);
   EXPECT_THROW((void)eigenvalues(sparse(1, 1, {{0, 0, std::nan("")}})), InputError);
 }
 

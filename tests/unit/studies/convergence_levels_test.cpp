@@ -1,4 +1,4 @@
-#include "tlsph/studies/convergence_levels.hpp"
+#include "tlsph/studies/converge.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "tlsph/studies/fit_model.hpp"
+#include "tlsph/studies/fit.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

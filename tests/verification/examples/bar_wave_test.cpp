@@ -6,7 +6,7 @@
 #include <map>
 
 #include "lesson.hpp"
-#include "tlsph/analysis/oscillation.hpp"
+#include "tlsph/analysis/history.hpp"
 
 namespace tlsph::lessons {
 namespace {

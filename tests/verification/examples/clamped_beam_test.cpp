@@ -7,7 +7,7 @@
 #include <ostream>
 
 #include "lesson.hpp"
-#include "tlsph/analysis/oscillation.hpp"
+#include "tlsph/analysis/history.hpp"
 
 namespace tlsph::lessons {
 namespace {
