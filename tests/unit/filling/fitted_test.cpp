@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "boundary_distance.hpp"
 #include "tlsph/filling/lattice.hpp"
 #include "tlsph/geometry/region.hpp"
 #include "tlsph/particles/cells.hpp"

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "boundary_distance.hpp"
 #include "tlsph/filling/jitter.hpp"
 #include "tlsph/geometry/region.hpp"
 #include "tlsph/particles/delaunay.hpp"
