@@ -27,9 +27,6 @@ struct OutlineSection {
   std::size_t next = 0;  ///< section that starts where this one ends
   std::vector<double>
       stops{};  ///< distances [m] of the ends of the block edges, from 0 to `length`
-
-  [[nodiscard]] Vector<2> at(double distance) const;
-  [[nodiscard]] Vector<2> closest(const Vector<2>& x) const;
 };
 
 /// The sections of a shape, divided into block edges about `size` [m] long. Where a section lies on

@@ -9,31 +9,6 @@
 #include "tlsph/geometry/region.hpp"
 
 namespace tlsph {
-namespace {
-
-/// The piece closest to x and its point there.
-struct Foot {
-  const OutlinePiece* piece = nullptr;
-  Vector<2> point = Vector<2>::Zero();
-  double squared = std::numeric_limits<double>::infinity();
-};
-
-void approach(const std::vector<OutlinePiece>& pieces, const Vector<2>& x, Foot& foot) {
-  for (const auto& piece : pieces) {
-    const Vector<2> point = piece.closest(x);
-    const double squared = (point - x).squaredNorm();
-    if (squared < foot.squared) foot = {&piece, point, squared};
-  }
-}
-
-Foot closest(const std::vector<OutlinePiece>& pieces, const Vector<2>& x) {
-  Foot foot;
-  approach(pieces, x, foot);
-  return foot;
-}
-
-}  // namespace
-
 SplitOutline::SplitOutline(const Particles<2>& lattice, const Shape<2>& shape)
     : box_(bounding_box(shape)), spacing_(lattice.spacings) {
   const std::vector<OutlinePiece> pieces = outline(shape);
@@ -65,10 +40,8 @@ bool SplitOutline::on_straight(const Vector<2>& x) const {
 
 Vector<2> SplitOutline::normal(const Vector<2>& x) const {
   Foot foot = closest(straight_, x);
-  approach(curve_, x, foot);
-  if (!foot.piece->is_arc()) return foot.piece->normal(0.5);
-  return std::copysign(1.0, foot.piece->sweep) * (foot.point - foot.piece->centre) /
-         foot.piece->radius;
+  if (const Foot other = closest(curve_, x); other.squared < foot.squared) foot = other;
+  return foot.piece->normal_at(foot.point);
 }
 
 std::optional<Vector<2>> SplitOutline::junction(const Vector<2>& x) const {

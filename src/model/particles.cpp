@@ -14,7 +14,6 @@
 #include "tlsph/filling/hexagonal.hpp"
 #include "tlsph/filling/jitter.hpp"
 #include "tlsph/filling/lattice.hpp"
-#include "tlsph/filling/locality.hpp"
 #include "tlsph/io/points_table.hpp"
 #include "tlsph/model/builder.hpp"
 

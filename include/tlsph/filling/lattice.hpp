@@ -47,4 +47,10 @@ template <int D>
                                           const Vector<D>& lower, const Vector<D>& upper,
                                           const Place& place = {}, const Shape<D>* shape = nullptr);
 
+/// The same particles with a patch of those nodes and of the boundary faces between them.
+/// InputError if the name is taken.
+template <int D>
+[[nodiscard]] Particles<D> with_named_nodes(Particles<D> particles, const std::string& name,
+                                            std::vector<int> nodes, const Place& place);
+
 }  // namespace tlsph

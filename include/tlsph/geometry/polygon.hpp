@@ -16,6 +16,12 @@ namespace tlsph {
 
 using Corners = std::vector<Vector<2>>;
 
+/// Points as the rows of a field; at least one.
+[[nodiscard]] inline VectorField<2> as_rows(const std::vector<Vector<2>>& points) {
+  return Eigen::Map<const VectorField<2>>(points.front().data(), static_cast<Index>(points.size()),
+                                          2);
+}
+
 /// Area [m²], positive for counter-clockwise corners; 0 for fewer than three.
 [[nodiscard]] double signed_area(const Corners& corners);
 

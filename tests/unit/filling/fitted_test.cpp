@@ -9,7 +9,6 @@
 #include "boundary_distance.hpp"
 #include "tlsph/filling/lattice.hpp"
 #include "tlsph/geometry/region.hpp"
-#include "tlsph/particles/cells.hpp"
 #include "tlsph/particles/points.hpp"
 #include "unit/particles/refusal.hpp"
 

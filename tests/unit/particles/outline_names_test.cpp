@@ -1,6 +1,6 @@
 /// What edges are called: by what they face, by number, by hole.
 
-#include "tlsph/particles/outline_names.hpp"
+#include "tlsph/particles/boundary_faces.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
