@@ -168,11 +168,6 @@ std::optional<Vector<2>> Blocks::fill_rest() {
 
 BlockFill Blocks::cells(double spacing) const {
   BlockFill result;
-  for (std::size_t a = 0; a < 2; ++a) {
-    const auto& lines = outline_.lines()[a];
-    result.spacings(static_cast<int>(a)) =
-        (lines.back() - lines.front()) / (2.0 * static_cast<double>(lines.size() - 1));
-  }
   if (failed_) {
     result.worst = *failed_;
     return result;

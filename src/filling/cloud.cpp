@@ -16,21 +16,9 @@ namespace {
 
 constexpr double largest_volume_error = 0.01;
 
-/// Nodes by position along the first coordinate.
-template <int D>
-std::vector<int> sorted_nodes(const VectorField<D>& X) {
-  std::vector<int> order(static_cast<std::size_t>(X.rows()));
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](int p, int q) {
-    return std::lexicographical_compare(X.row(p).begin(), X.row(p).end(), X.row(q).begin(),
-                                        X.row(q).end());
-  });
-  return order;
-}
-
 template <int D>
 void refuse_repeats(const VectorField<D>& X, double least, const NodePlaces& places) {
-  const std::vector<int> order = sorted_nodes<D>(X);
+  const std::vector<int> order = by_place<D>(X);
   for (std::size_t i = 0; i < order.size(); ++i)
     for (std::size_t j = i + 1; j < order.size(); ++j) {
       if (X(order[j], 0) - X(order[i], 0) > least) break;
@@ -43,6 +31,14 @@ void refuse_repeats(const VectorField<D>& X, double least, const NodePlaces& pla
                                    position_text(X.row(first).transpose()),
                                    place.line > 0 ? fmt::format(", on line {}", place.line) : ""));
     }
+}
+
+/// Distance [m] of neighbours in the square lattice that fills the shape with as many nodes, of
+/// which so many lie on the boundary.
+double square_spacing(const Shape<2>& shape, Index nodes, std::size_t on_boundary) {
+  // Pick's theorem: so many cells has a lattice with these nodes.
+  const double cells = static_cast<double>(nodes) - 0.5 * static_cast<double>(on_boundary) - 1.0;
+  return std::sqrt(area(shape) / std::max(1.0, cells));
 }
 
 /// Faces much longer than the distance of the nodes beside them: the boundary was forgotten.
@@ -83,24 +79,12 @@ bool is_local(const VectorField<D>& X, double distance) {
 }  // namespace
 
 template <>
-double cloud_spacing(const Shape<1>& shape, Index nodes, Index /*on_boundary*/) {
-  return area(shape) / std::max(1.0, static_cast<double>(nodes) - 1.0);
-}
-
-template <>
-double cloud_spacing(const Shape<2>& shape, Index nodes, Index on_boundary) {
-  // Pick's theorem: so many cells has a lattice with these nodes.
-  const double cells = static_cast<double>(nodes) - 0.5 * static_cast<double>(on_boundary) - 1.0;
-  return std::sqrt(area(shape) / std::max(1.0, cells));
-}
-
-template <>
 Particles<1> make_cloud(VectorField<1> X, const Shape<1>& shape, double spacing,
                         const NodePlaces& places) {
   if (X.rows() < 2)
     throw InputError(places(0), "a body needs at least two points, one at each end");
   Particles<1> particles;
-  particles.spacing = spacing > 0.0 ? spacing : cloud_spacing<1>(shape, X.rows(), 2);
+  particles.spacing = spacing > 0.0 ? spacing : area(shape) / static_cast<double>(X.rows() - 1);
   particles.spacings[0] = particles.spacing;
   const double tolerance = boundary_tolerance * particles.spacing;
   const Box<1> ends = bounding_box(shape);
@@ -109,7 +93,7 @@ Particles<1> make_cloud(VectorField<1> X, const Shape<1>& shape, double spacing,
       throw InputError(places(q), fmt::format("the point {} lies outside the shape",
                                               position_text(X.row(q).transpose())));
   refuse_repeats<1>(X, tolerance, places);
-  const std::vector<int> order = sorted_nodes<1>(X);
+  const std::vector<int> order = by_place<1>(X);
   std::vector<LabelledFace<1>> faces;
   for (int side = 0; side < 2; ++side) {
     const int node = side == 0 ? order.front() : order.back();
@@ -134,7 +118,7 @@ template <>
 Particles<2> make_cloud(VectorField<2> X, const Shape<2>& shape, double spacing,
                         const NodePlaces& places) {
   if (X.rows() < 3) throw InputError(places(0), "a body needs at least three points");
-  const double estimate = spacing > 0.0 ? spacing : cloud_spacing<2>(shape, X.rows(), 0);
+  const double estimate = spacing > 0.0 ? spacing : square_spacing(shape, X.rows(), 0);
   const double tolerance = boundary_tolerance * estimate;
   refuse_repeats<2>(X, tolerance, places);
   const std::vector<LabelledFace<2>> faces = outline_faces(X, shape, tolerance, places);
@@ -145,9 +129,8 @@ Particles<2> make_cloud(VectorField<2> X, const Shape<2>& shape, double spacing,
   particles.triangles = triangulate(particles.X, boundary.faces, places);
   refuse_long_faces(particles.X, particles.triangles, places);
   particles.V = voronoi_volumes(particles.X, boundary.faces);
-  particles.spacing = spacing > 0.0 ? spacing
-                                    : cloud_spacing<2>(shape, particles.size(),
-                                                       static_cast<Index>(boundary.nodes.size()));
+  particles.spacing =
+      spacing > 0.0 ? spacing : square_spacing(shape, particles.size(), boundary.nodes.size());
   particles.spacings.setConstant(particles.spacing);
   return particles;
 }
@@ -187,9 +170,20 @@ std::vector<int> local_order(const VectorField<D>& X) {
   return order;
 }
 
+template <int D>
+std::vector<int> by_place(const VectorField<D>& X) {
+  std::vector<int> order(static_cast<std::size_t>(X.rows()));
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, [&](int p, int q) {
+    return std::ranges::lexicographical_compare(X.row(p), X.row(q));
+  });
+  return order;
+}
+
 #define TLSPH_INSTANTIATE(D)                                                     \
   template Particles<D> with_volumes(Particles<D>, ScalarField, const Shape<D>&, \
                                      const NodePlaces&);                         \
+  template std::vector<int> by_place<D>(const VectorField<D>&);                  \
   template std::vector<int> local_order<D>(const VectorField<D>&);
 TLSPH_FOR_DIMENSIONS(TLSPH_INSTANTIATE)
 #undef TLSPH_INSTANTIATE

@@ -8,8 +8,8 @@
 #include <optional>
 #include <set>
 
+#include "outline_sections.hpp"
 #include "quad_mesh.hpp"
-#include "split_outline.hpp"
 #include "tlsph/filling/division.hpp"
 #include "tlsph/filling/lattice.hpp"
 #include "tlsph/geometry/region.hpp"

@@ -1,4 +1,4 @@
-#include "tlsph/filling/hexagonal.hpp"
+#include "tlsph/filling/lattice.hpp"
 
 #include <fmt/format.h>
 

@@ -45,20 +45,6 @@ VectorField<D> with_sound_cells(const VectorField<D>& lattice, VectorField<D> mo
   return X;
 }
 
-/// Nodes of cells by their places, the first coordinate first; those of clouds as they come.
-template <int D>
-std::vector<Index> in_order(const Particles<D>& particles) {
-  const VectorField<D>& X = particles.X;
-  std::vector<Index> order(static_cast<std::size_t>(X.rows()));
-  std::iota(order.begin(), order.end(), Index{0});
-  if (D == 2 && !particles.triangles.empty()) return order;
-  std::ranges::stable_sort(order, [&](Index p, Index q) {
-    return std::lexicographical_compare(X.row(p).begin(), X.row(p).end(), X.row(q).begin(),
-                                        X.row(q).end());
-  });
-  return order;
-}
-
 /// Cells stay, and volumes follow them.
 template <int D>
 void move_cells(Particles<D>& particles, VectorField<D> moves) {
@@ -93,8 +79,10 @@ Particles<D> jittered(Particles<D> particles, double share, std::uint64_t seed,
   std::mt19937_64 generator(seed);
   const Patch<D>* boundary = particles.find("boundary");
   VectorField<D> moves = VectorField<D>::Zero(particles.size(), D);
-  for (const Index q : in_order<D>(particles)) {
-    if (boundary && std::ranges::binary_search(boundary->nodes, static_cast<int>(q))) continue;
+  std::vector<int> order = by_place<D>(particles.X);
+  if (!particles.triangles.empty()) std::iota(order.begin(), order.end(), 0);
+  for (const int q : order) {
+    if (boundary && std::ranges::binary_search(boundary->nodes, q)) continue;
     for (int a = 0; a < D; ++a) moves(q, a) = share * particles.spacings(a) * uniform(generator);
   }
   if constexpr (D == 2)

@@ -68,9 +68,8 @@ struct ConstrainedTriangles {
 
 struct BlockFill {
   QuadMesh mesh;
-  Vector<2> spacings = Vector<2>::Zero();  ///< mean distance of lattice lines per direction [m]
-  double quality = 0.0;                    ///< least `cell_quality` for the spacing
-  Vector<2> worst = Vector<2>::Zero();     ///< where that is
+  double quality = 0.0;                 ///< least `cell_quality` for the spacing
+  Vector<2> worst = Vector<2>::Zero();  ///< where that is
 };
 
 /// The body is first filled with blocks two spacings wide: squares of a lattice away from the

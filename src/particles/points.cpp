@@ -70,24 +70,20 @@ Vector<D> cell_centre(const VectorField<D>& X, const Cell<D>& cell) {
   return sum / static_cast<double>(cell.size());
 }
 
-template <>
-ScalarField node_volumes(const VectorField<1>& X, const std::vector<Cell<1>>& cells) {
-  ScalarField V = ScalarField::Zero(X.rows());
-  for (const auto& cell : cells)
-    for (const int node : cell) V(node) += 0.5 * cell_volume<1>(X, cell);
-  return V;
-}
-
-template <>
-ScalarField node_volumes(const VectorField<2>& X, const std::vector<Cell<2>>& cells) {
+template <int D>
+ScalarField node_volumes(const VectorField<D>& X, const std::vector<Cell<D>>& cells) {
   ScalarField V = ScalarField::Zero(X.rows());
   for (const auto& cell : cells) {
-    const Vector<2> centre = cell_centre<2>(X, cell);
-    for (std::size_t k = 0; k < 4; ++k) {
-      const Vector<2> here = corner(X, cell, k);
-      const Vector<2> next = 0.5 * (here + corner(X, cell, k + 1));
-      const Vector<2> last = 0.5 * (here + corner(X, cell, k + 3));
-      V(cell[k]) += 0.5 * cross(centre - here, last - next);
+    if constexpr (D == 1) {
+      for (const int node : cell) V(node) += 0.5 * cell_volume<1>(X, cell);
+    } else {
+      const Vector<2> centre = cell_centre<2>(X, cell);
+      for (std::size_t k = 0; k < 4; ++k) {
+        const Vector<2> here = corner(X, cell, k);
+        const Vector<2> next = 0.5 * (here + corner(X, cell, k + 1));
+        const Vector<2> last = 0.5 * (here + corner(X, cell, k + 3));
+        V(cell[k]) += 0.5 * cross(centre - here, last - next);
+      }
     }
   }
   return V;
@@ -116,9 +112,10 @@ MaterialPoints<D> node_points(const Particles<D>& particles) {
   return {particles.X, particles.V};
 }
 
-#define TLSPH_INSTANTIATE(D)                                             \
-  template Vector<D> cell_centre(const VectorField<D>&, const Cell<D>&); \
-  template MaterialPoints<D> cell_points(const Particles<D>&);           \
+#define TLSPH_INSTANTIATE(D)                                                             \
+  template Vector<D> cell_centre(const VectorField<D>&, const Cell<D>&);                 \
+  template ScalarField node_volumes(const VectorField<D>&, const std::vector<Cell<D>>&); \
+  template MaterialPoints<D> cell_points(const Particles<D>&);                           \
   template MaterialPoints<D> node_points(const Particles<D>&);
 TLSPH_FOR_DIMENSIONS(TLSPH_INSTANTIATE)
 #undef TLSPH_INSTANTIATE

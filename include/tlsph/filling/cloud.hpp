@@ -21,16 +21,11 @@ namespace tlsph {
 /// Nodes nearer to the boundary than this share of the spacing are on it, and are put there.
 inline constexpr double boundary_tolerance = 1e-3;
 
-/// Distance [m] of neighbours in the square lattice that fills the shape with as many nodes, of
-/// which so many lie on the boundary.
-template <int D>
-[[nodiscard]] double cloud_spacing(const Shape<D>& shape, Index nodes, Index on_boundary);
-
 /// Particles at the nodes `X` (N×d [m], their order stays) in that shape; `spacing` [m] is what
-/// supports are measured in, 0: `cloud_spacing`. Patches are those of a lattice. InputError, at the
-/// place of the node, for one outside the shape, two in one place (nearer than
-/// `boundary_tolerance`), a corner of the shape or an end of the interval without a node, too few
-/// nodes on the boundary, and where the nodes cannot be triangulated.
+/// supports are measured in, 0: that of a square lattice with as many. Patches are those of a
+/// lattice. InputError, at the place of the node, for one outside the shape, two in one place
+/// (nearer than `boundary_tolerance`), a corner of the shape or an end of the interval without a
+/// node, too few nodes on the boundary, and where the nodes cannot be triangulated.
 template <int D>
 [[nodiscard]] Particles<D> make_cloud(VectorField<D> X, const Shape<D>& shape, double spacing,
                                       const NodePlaces& places);
@@ -63,5 +58,9 @@ template <int D>
 /// is does as well: three nodes in four are within three mean distances of the one before.
 template <int D>
 [[nodiscard]] std::vector<int> local_order(const VectorField<D>& X);
+
+/// The nodes in the order of their places, first coordinate first.
+template <int D>
+[[nodiscard]] std::vector<int> by_place(const VectorField<D>& X);
 
 }  // namespace tlsph

@@ -1,4 +1,4 @@
-#include "tlsph/filling/hexagonal.hpp"
+#include "tlsph/filling/lattice.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
