@@ -75,7 +75,7 @@ void OutlineSections::add_loop(const OutlineLoop& loop) {
   for (OutlineLoop& pieces : sections(loop, ends)) {
     OutlineSection& section = sections_.emplace_back();
     for (const OutlinePiece& piece : pieces) section.length += piece.length();
-    section.closed = !ends(pieces.back(), pieces.front());
+    section.closed = pieces.size() == loop.size() && !ends(pieces.back(), pieces.front());
     section.pieces = std::move(pieces);
     section.next = sections_.size();
   }
