@@ -1,5 +1,3 @@
-#include "block_fill.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,10 +5,11 @@
 #include <optional>
 #include <set>
 
-#include "constrained_triangles.hpp"
 #include "outline_sections.hpp"
+#include "quad_mesh.hpp"
+#include "tlsph/geometry/polygon.hpp"
 #include "tlsph/geometry/region.hpp"
-#include "tlsph/particles/cells.hpp"
+#include "tlsph/particles/points.hpp"
 
 namespace tlsph {
 namespace {
@@ -45,7 +44,7 @@ class Blocks {
   void place_squares();
   std::optional<Vector<2>> fill_rest();
   [[nodiscard]] bool is_square(const Cell<2>& block) const;
-  [[nodiscard]] VectorField<2> field() const;
+  [[nodiscard]] const Vector<2>& x(int node) const { return X_[static_cast<std::size_t>(node)]; }
 
   const Shape<2>& shape_;
   double size_;
@@ -58,19 +57,13 @@ class Blocks {
   std::optional<Vector<2>> failed_;
 };
 
-VectorField<2> Blocks::field() const {
-  VectorField<2> X(static_cast<Index>(X_.size()), 2);
-  for (std::size_t q = 0; q < X_.size(); ++q) X.row(static_cast<Index>(q)) = X_[q].transpose();
-  return X;
-}
-
 void Blocks::place_outline() {
   const auto& sections = outline_.all();
   std::vector<int> first;
   for (const OutlineSection& section : sections) {
     first.push_back(static_cast<int>(X_.size()));
     for (std::size_t k = 0; k + 1 < section.stops.size(); ++k)
-      X_.push_back(section.at(section.stops[k]));
+      X_.push_back(point_along(section.pieces, section.stops[k]));
   }
   for (std::size_t s = 0; s < sections.size(); ++s) {
     const auto& stops = sections[s].stops;
@@ -88,7 +81,7 @@ bool Blocks::is_square(const Cell<2>& block) const {
   Vector<2> centre = Vector<2>::Zero();
   for (const int node : block) {
     if (node < 0) return false;
-    centre += 0.25 * X_[static_cast<std::size_t>(node)];
+    centre += 0.25 * x(node);
   }
   if (!(depth(shape_, centre) > 0.0)) return false;
   const auto clear = [&](const Vector<2>& x) {
@@ -97,8 +90,7 @@ bool Blocks::is_square(const Cell<2>& block) const {
   if (!clear(centre)) return false;
   for (std::size_t k = 0; k < 4; ++k) {
     const DirectedEdge edge = {block[k], block[(k + 1) % 4]};
-    const Vector<2>&a = X_[static_cast<std::size_t>(edge[0])],
-          &b = X_[static_cast<std::size_t>(edge[1])];
+    const Vector<2>&a = x(edge[0]), &b = x(edge[1]);
     if (!clear(a) || !clear(0.5 * (a + b))) return false;
     if (!outline_edges_.contains(edge) && outline_.distance(0.5 * (a + b), false) < 1e-6 * size_)
       return false;
@@ -158,7 +150,7 @@ std::optional<Vector<2>> Blocks::fill_rest() {
       number[q] = static_cast<int>(node_of.size());
       node_of.push_back(static_cast<int>(q));
     }
-  const VectorField<2> X = field()(node_of, Eigen::all);
+  const VectorField<2> X = as_rows(X_)(node_of, Eigen::all);
   for (DirectedEdge& edge : edges)
     for (int& node : edge) node = number[static_cast<std::size_t>(node)];
   auto [triangles, failed] = triangles_between(X, edges);
@@ -176,11 +168,6 @@ std::optional<Vector<2>> Blocks::fill_rest() {
 
 BlockFill Blocks::cells(double spacing) const {
   BlockFill result;
-  for (std::size_t a = 0; a < 2; ++a) {
-    const auto& lines = outline_.lines()[a];
-    result.spacings(static_cast<int>(a)) =
-        (lines.back() - lines.front()) / (2.0 * static_cast<double>(lines.size() - 1));
-  }
   if (failed_) {
     result.worst = *failed_;
     return result;
@@ -204,7 +191,8 @@ BlockFill Blocks::cells(double spacing) const {
     } else {
       const auto& [from, to] = on->second;
       section_of[found->second] = from.section;
-      X.push_back(outline_.all()[from.section].at(0.5 * (from.distance + to.distance)));
+      X.push_back(
+          point_along(outline_.all()[from.section].pieces, 0.5 * (from.distance + to.distance)));
     }
     ring.push_back(moved_rings + 1);
     return found->second;
@@ -229,16 +217,9 @@ BlockFill Blocks::cells(double spacing) const {
   };
   for (std::size_t k = 0; k < quads_.size(); ++k) cut(quads_[k], k < squares_);
   for (const Triangle& triangle : triangles_) cut(triangle, false);
-  mesh.X.resize(static_cast<Index>(X.size()), 2);
-  for (std::size_t q = 0; q < X.size(); ++q) mesh.X.row(static_cast<Index>(q)) = X[q].transpose();
+  mesh.X = as_rows(X);
 
-  for (int round = 0; round < moved_rings; ++round)
-    for (const Cell<2>& cell : mesh.cells)
-      for (std::size_t k = 0; k < 4; ++k) {
-        int& mine = ring[static_cast<std::size_t>(cell[k])];
-        for (const std::size_t other : {(k + 1) % 4, (k + 3) % 4})
-          mine = std::min(mine, ring[static_cast<std::size_t>(cell[other])] + 1);
-      }
+  count_rings(mesh.cells, moved_rings, ring);
   std::set<int> corners;
   for (const DirectedEdge& edge : free_edges(mesh.cells)) corners.insert({edge[0], edge[1]});
   std::vector<Track> tracks(X.size());
@@ -247,7 +228,7 @@ BlockFill Blocks::cells(double spacing) const {
     const auto on = section_of.find(static_cast<int>(q));
     if (on != section_of.end()) {
       const OutlineSection& section = outline_.all()[on->second];
-      tracks[q] = [&section](const Vector<2>& x) { return section.closest(x); };
+      tracks[q] = [&section](const Vector<2>& x) { return closest(section.pieces, x).point; };
     } else if (!corners.contains(static_cast<int>(q))) {
       tracks[q] = [](const Vector<2>& x) { return x; };
     }

@@ -1,5 +1,3 @@
-#include "constrained_triangles.hpp"
-
 #include <algorithm>
 #include <map>
 #include <set>
@@ -12,7 +10,7 @@
 namespace tlsph {
 namespace {
 
-using Edge = std::array<int, 2>;
+using Edge = DirectedEdge;
 
 /// Quadrilaterals with a smaller quality than this stay two triangles.
 constexpr double least_paired = 0.35;
@@ -101,33 +99,12 @@ ConstrainedTriangles triangles_between(const VectorField<2>& X, const std::vecto
     collect();
   }
 
-  std::map<Edge, std::size_t> left;
-  for (std::size_t t = 0; t < all.size(); ++t)
-    for (std::size_t k = 0; k < 3; ++k) left[{all[t][k], all[t][(k + 1) % 3]}] = t;
-  const std::set<Edge> walls(edges.begin(), edges.end());
-  std::vector<char> inside(all.size(), 0);
-  std::vector<std::size_t> front;
-  const auto enter = [&](const Edge& edge) {
-    const auto found = left.find(edge);
-    if (found == left.end()) return false;
-    if (!inside[found->second]) front.push_back(found->second);
-    inside[found->second] = 1;
-    return true;
-  };
-  for (const Edge& edge : edges)
-    if (!enter(edge)) result.failed = edge[0];
-  while (!front.empty()) {
-    const Triangle t = all[front.back()];
-    front.pop_back();
-    for (std::size_t k = 0; k < 3; ++k)
-      if (!walls.contains({t[k], t[(k + 1) % 3]}) && !enter({t[(k + 1) % 3], t[k]}))
-        result.failed = t[k];
-  }
-  for (std::size_t t = 0; t < all.size(); ++t) {
-    if (!inside[t]) continue;
-    if (!(triangle_area(X, all[t]) > 0.0)) result.failed = all[t][0];
-    result.triangles.push_back(all[t]);
-  }
+  auto [triangles, missing, open] = enclosed_by(edges, all);
+  if (!missing.empty()) result.failed = missing.back()[0];
+  if (open >= 0) result.failed = open;
+  for (const Triangle& triangle : triangles)
+    if (!(triangle_area(X, triangle) > 0.0)) result.failed = triangle[0];
+  result.triangles = std::move(triangles);
   return result;
 }
 

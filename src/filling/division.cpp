@@ -6,6 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "tlsph/filling/lattice.hpp"
+#include "tlsph/geometry/region.hpp"
+
 namespace tlsph {
 namespace {
 
@@ -92,9 +95,28 @@ bool divides(const Box<2>& box, double spacing) {
   return fits<2>(box.upper - box.lower, spacing);
 }
 
-template struct Division<1>;
-template struct Division<2>;
-template Division<1> divide(const Box<1>&, double, const Place&);
-template Division<2> divide(const Box<2>&, double, const Place&);
+template <int D>
+double lattice_size_estimate(const Shape<D>& shape, double spacing, NodePlacement placement,
+                             const Place& place) {
+  validate(shape, place);
+  if (!(spacing > 0.0))
+    throw InputError(place, fmt::format("spacing must be greater than 0, not {}", spacing));
+  const double more = placement == NodePlacement::on_boundary ? 1.0 : 0.0;
+  if (const auto* box = std::get_if<Box<D>>(&shape.form)) {
+    double nodes = 1.0;
+    for (int a = 0; a < D; ++a) nodes *= whole_cells(box->upper(a) - box->lower(a), spacing) + more;
+    return nodes;
+  }
+  // Lattice polygons have exactly that many nodes (Pick's theorem, one hole fewer or more apart).
+  return area(shape) / std::pow(spacing, D) +
+         more * (boundary_measure(shape) / (2.0 * spacing) + 1.0);
+}
+
+#define TLSPH_INSTANTIATE(D)                                        \
+  template struct Division<D>;                                      \
+  template Division<D> divide(const Box<D>&, double, const Place&); \
+  template double lattice_size_estimate(const Shape<D>&, double, NodePlacement, const Place&);
+TLSPH_FOR_DIMENSIONS(TLSPH_INSTANTIATE)
+#undef TLSPH_INSTANTIATE
 
 }  // namespace tlsph

@@ -8,14 +8,13 @@
 #include <optional>
 #include <set>
 
-#include "block_fill.hpp"
+#include "outline_sections.hpp"
 #include "quad_mesh.hpp"
-#include "split_outline.hpp"
 #include "tlsph/filling/division.hpp"
 #include "tlsph/filling/lattice.hpp"
 #include "tlsph/geometry/region.hpp"
 #include "tlsph/particles/boundary_faces.hpp"
-#include "tlsph/particles/cells.hpp"
+#include "tlsph/particles/points.hpp"
 
 namespace tlsph {
 namespace {
@@ -117,13 +116,7 @@ std::vector<Freedom> freedoms(const QuadMesh& mesh, const SplitOutline& boundary
                               const Layer& layer) {
   std::vector<int> ring(static_cast<std::size_t>(mesh.X.rows()), smoothed_rings + 1);
   for (const int node : layer.nodes) ring[static_cast<std::size_t>(node)] = 0;
-  for (int round = 0; round < smoothed_rings; ++round)
-    for (const auto& cell : mesh.cells)
-      for (std::size_t k = 0; k < 4; ++k)
-        for (const std::size_t next : {(k + 1) % 4, (k + 3) % 4}) {
-          int& mine = ring[static_cast<std::size_t>(cell[k])];
-          mine = std::min(mine, ring[static_cast<std::size_t>(cell[next])] + 1);
-        }
+  count_rings(mesh.cells, smoothed_rings, ring);
   std::vector<Freedom> result(ring.size(), Freedom::none);
   for (std::size_t q = 0; q < ring.size(); ++q)
     if (ring[q] <= smoothed_rings) result[q] = Freedom::inner;
@@ -215,18 +208,12 @@ Particles<2> as_particles(QuadMesh mesh, const Shape<2>& shape, double spacing,
   particles.spacing = spacing;
   particles.spacings = spacings;
   particles.V = node_volumes<2>(mesh.X, mesh.cells);
-  const std::vector<Shape<2>> holes = holes_of(shape);
+  particles.X = std::move(mesh.X);
   const OutlineNames names(shape);
   std::vector<LabelledFace<2>> faces;
-  for (const auto& edge : free_edges(mesh.cells)) {
-    const Vector<2> a = mesh.X.row(edge[0]).transpose(), b = mesh.X.row(edge[1]).transpose();
-    faces.push_back(
-        labelled({edge, face_area(a, b)}, {a, b}, names, holes, 1e-8 * spacings.minCoeff()));
-  }
-  particles.patches = make_patches(faces, holes.size());
-  particles.edges = make_edges(faces);
-  particles.B = lumped_areas<2>(mesh.X.rows(), particles.find("boundary")->faces);
-  particles.X = std::move(mesh.X);
+  for (const auto& [from, to] : free_edges(mesh.cells))
+    faces.push_back(names.labelled(particles.X, from, to, 1e-8 * spacings.minCoeff()));
+  set_boundary(particles, faces, holes_of(shape).size());
   particles.cells = std::move(mesh.cells);
   return particles;
 }

@@ -1,17 +1,18 @@
-#include "tlsph/filling/hexagonal.hpp"
+#include "tlsph/filling/lattice.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <tuple>
 #include <vector>
 
 #include "tlsph/filling/cloud.hpp"
 #include "tlsph/filling/division.hpp"
-#include "tlsph/filling/outline_faces.hpp"
 #include "tlsph/geometry/outline.hpp"
+#include "tlsph/geometry/polygon.hpp"
 #include "tlsph/geometry/region.hpp"
 
 namespace tlsph {
@@ -58,31 +59,6 @@ struct Rows {
   }
 };
 
-/// Pieces of the outline from corner to corner; a loop without corners is one section.
-std::vector<OutlineLoop> sections(const OutlineLoop& loop) {
-  std::size_t first = 0;  // the piece that starts at a corner
-  for (std::size_t k = 0; k < loop.size(); ++k)
-    if (is_corner(loop[(k + loop.size() - 1) % loop.size()], loop[k])) first = k;
-  std::vector<OutlineLoop> result(1);
-  for (std::size_t k = 0; k < loop.size(); ++k) {
-    const OutlinePiece& piece = loop[(first + k) % loop.size()];
-    const OutlinePiece& next = loop[(first + k + 1) % loop.size()];
-    result.back().push_back(piece);
-    if (k + 1 < loop.size() && is_corner(piece, next)) result.emplace_back();
-  }
-  return result;
-}
-
-/// The point that far [m] along the section.
-Vector<2> along(const OutlineLoop& section, double distance) {
-  for (const OutlinePiece& piece : section) {
-    const double length = piece.length();
-    if (distance <= length) return piece.at(distance / length);
-    distance -= length;
-  }
-  return section.back().to;
-}
-
 bool on_side(const OutlineLoop& section, const Rows& rows) {
   const double tolerance = 1e-9 * rows.dx;
   return section.size() == 1 && !section[0].is_arc() &&
@@ -108,14 +84,8 @@ void divide_section(const OutlineLoop& section, const Rows& rows, const Place& p
         place, fmt::format("spacing {:.6g} is too coarse for the edge of length {:.6g} "
                            "at ({:.6g}, {:.6g}); choose a finer one",
                            rows.dx, length, section.front().from.x(), section.front().from.y()));
-  for (double k = 0.0; k < count; k += 1.0) nodes.push_back(along(section, length * k / count));
-}
-
-VectorField<2> as_field(const std::vector<Vector<2>>& nodes) {
-  VectorField<2> X(static_cast<Index>(nodes.size()), 2);
-  for (std::size_t q = 0; q < nodes.size(); ++q)
-    X.row(static_cast<Index>(q)) = nodes[q].transpose();
-  return X;
+  for (double k = 0.0; k < count; k += 1.0)
+    nodes.push_back(point_along(section, length * k / count));
 }
 
 /// Nodes that follow the boundary: those near a part of it that is off the lattice.
@@ -134,7 +104,7 @@ std::vector<char> near_curve(const VectorField<2>& X, Index boundary, const Rows
 /// Moves the marked nodes to the centres of area of the triangles around them, round by round.
 void smooth(VectorField<2>& X, const std::vector<char>& marked, const std::vector<Face<2>>& faces,
             const NodePlaces& places) {
-  if (std::none_of(marked.begin(), marked.end(), [](char mark) { return mark != 0; })) return;
+  if (std::ranges::count(marked, 0) == std::ssize(marked)) return;
   for (int round = 0; round < row_rounds; ++round) {
     VectorField<2> sum = VectorField<2>::Zero(X.rows(), 2);
     ScalarField weight = ScalarField::Zero(X.rows());
@@ -154,16 +124,12 @@ void smooth(VectorField<2>& X, const std::vector<char>& marked, const std::vecto
 /// Column by column, y fastest, as nearly as the places of the nodes allow.
 VectorField<2> in_columns(const VectorField<2>& X, const Rows& rows) {
   std::vector<Index> order(static_cast<std::size_t>(X.rows()));
-  for (std::size_t q = 0; q < order.size(); ++q) order[q] = static_cast<Index>(q);
-  const auto column = [&](Index q) {
-    return std::floor((X(q, 0) - rows.box.lower.x()) / rows.dx + 0.25);
-  };
-  std::sort(order.begin(), order.end(), [&](Index p, Index q) {
-    return std::tuple(column(p), X(p, 1), X(p, 0)) < std::tuple(column(q), X(q, 1), X(q, 0));
+  std::iota(order.begin(), order.end(), Index{0});
+  std::ranges::sort(order, {}, [&](Index q) {
+    const double column = std::floor((X(q, 0) - rows.box.lower.x()) / rows.dx + 0.25);
+    return std::tuple(column, X(q, 1), X(q, 0));
   });
-  VectorField<2> sorted(X.rows(), 2);
-  for (Index q = 0; q < X.rows(); ++q) sorted.row(q) = X.row(order[static_cast<std::size_t>(q)]);
-  return sorted;
+  return X(order, Eigen::all);
 }
 
 }  // namespace
@@ -180,7 +146,7 @@ Particles<2> hexagonal_lattice(const Shape<2>& shape, double spacing, const Plac
       const Vector<2> x(rows.box.lower.x() + (i + rows.shift(row)) * rows.dx, rows.y(row));
       if (depth(shape, x) > row_clearance * rows.dx) nodes.push_back(x);
     }
-  VectorField<2> X = as_field(nodes);
+  VectorField<2> X = as_rows(nodes);
   const NodePlaces here = [&](Index) { return place; };
   std::vector<Face<2>> faces;
   for (const auto& labelled : outline_faces(X, shape, boundary_tolerance * rows.dx, here))

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "tlsph/filling/voronoi.hpp"
-#include "tlsph/particles/cells.hpp"
+#include "tlsph/filling/cloud.hpp"
 #include "tlsph/particles/delaunay.hpp"
+#include "tlsph/particles/points.hpp"
 
 namespace tlsph {
 namespace {
@@ -23,14 +23,6 @@ constexpr double least_jacobian_share = 0.1;
 /// libraries.
 double uniform(std::mt19937_64& generator) {
   return static_cast<double>(generator() >> 11) * 0x1p-52 - 1.0;
-}
-
-template <int D>
-std::vector<char> on_boundary(const Particles<D>& particles) {
-  std::vector<char> mark(static_cast<std::size_t>(particles.size()), 0);
-  if (const Patch<D>* boundary = particles.find("boundary"))
-    for (const int node : boundary->nodes) mark[static_cast<std::size_t>(node)] = 1;
-  return mark;
 }
 
 /// Halves the moves of the corners of every misshapen cell until there is none. Ends, because the
@@ -51,20 +43,6 @@ VectorField<D> with_sound_cells(const VectorField<D>& lattice, VectorField<D> mo
     }
   }
   return X;
-}
-
-/// Nodes of cells by their places, the first coordinate first; those of clouds as they come.
-template <int D>
-std::vector<Index> in_order(const Particles<D>& particles) {
-  const VectorField<D>& X = particles.X;
-  std::vector<Index> order(static_cast<std::size_t>(X.rows()));
-  std::iota(order.begin(), order.end(), Index{0});
-  if (D == 2 && !particles.triangles.empty()) return order;
-  std::ranges::stable_sort(order, [&](Index p, Index q) {
-    return std::lexicographical_compare(X.row(p).begin(), X.row(p).end(), X.row(q).begin(),
-                                        X.row(q).end());
-  });
-  return order;
 }
 
 /// Cells stay, and volumes follow them.
@@ -99,10 +77,12 @@ Particles<D> jittered(Particles<D> particles, double share, std::uint64_t seed,
                                         largest_share, share));
   if (share == 0.0) return particles;
   std::mt19937_64 generator(seed);
-  const std::vector<char> fixed = on_boundary(particles);
+  const Patch<D>* boundary = particles.find("boundary");
   VectorField<D> moves = VectorField<D>::Zero(particles.size(), D);
-  for (const Index q : in_order<D>(particles)) {
-    if (fixed[static_cast<std::size_t>(q)]) continue;
+  std::vector<int> order = by_place<D>(particles.X);
+  if (!particles.triangles.empty()) std::iota(order.begin(), order.end(), 0);
+  for (const int q : order) {
+    if (boundary && std::ranges::binary_search(boundary->nodes, q)) continue;
     for (int a = 0; a < D; ++a) moves(q, a) = share * particles.spacings(a) * uniform(generator);
   }
   if constexpr (D == 2)

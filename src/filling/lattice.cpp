@@ -13,30 +13,18 @@
 namespace tlsph {
 namespace {
 
-/// One side of a cell: the step to its neighbour and the cell corners at its ends.
+/// Corners of a cell as steps from the lower one, counter-clockwise; the first two in 1D.
+constexpr std::array<std::array<int, 2>, 4> corner_steps = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+
+/// Corners at the ends of each side of a cell, sides in the order of side_names: those along −x,
+/// +x, −y and +y.
 template <int D>
-struct Side {
-  std::size_t axis;
-  int step;
-  std::array<std::size_t, D> corners;
-};
-
-template <int D>
-struct CellGeometry;  // corners as steps from the lower one, counter-clockwise; sides in the order
-                      // of side_names
-
+constexpr std::array<std::array<std::size_t, D>, 2 * D> side_corners;
 template <>
-struct CellGeometry<1> {
-  static constexpr std::array<std::array<int, 1>, 2> corners = {{{0}, {1}}};
-  static constexpr std::array<Side<1>, 2> sides = {{{0, -1, {0}}, {0, +1, {1}}}};
-};
-
+constexpr std::array<std::array<std::size_t, 1>, 2> side_corners<1> = {{{0}, {1}}};
 template <>
-struct CellGeometry<2> {
-  static constexpr std::array<std::array<int, 2>, 4> corners = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
-  static constexpr std::array<Side<2>, 4> sides = {
-      {{0, -1, {3, 0}}, {0, +1, {1, 2}}, {1, -1, {0, 1}}, {1, +1, {2, 3}}}};
-};
+constexpr std::array<std::array<std::size_t, 2>, 4> side_corners<2> = {
+    {{3, 0}, {1, 2}, {0, 1}, {2, 3}}};
 
 constexpr int in_body = 0;    // a cell of the body; k ≥ 1: cut away by hole k
 constexpr int off_base = -1;  // outside the base
@@ -59,6 +47,11 @@ struct Raster {
     return x;
   }
   int cells() const { return static_cast<int>(kind.size()); }
+  std::size_t node_count() const {
+    std::size_t count = 1;
+    for (const int n : node_frame.counts) count *= static_cast<std::size_t>(n);
+    return count;
+  }
   bool inside(int cell) const { return kind[static_cast<std::size_t>(cell)] == in_body; }
 };
 
@@ -110,46 +103,16 @@ Raster<D> rasterise(const Shape<D>& shape, double spacing, const Place& place) {
   return raster;
 }
 
-/// Numbers the corners of the body's cells, in lattice order; `none` elsewhere.
+/// Rows of the corners of a cell in the frame of the nodes.
 template <int D>
-std::vector<int> number_nodes(const Raster<D>& raster, int& count) {
-  std::size_t total = 1;
-  for (const int n : raster.node_frame.counts) total *= static_cast<std::size_t>(n);
-  std::vector<int> number(total, none);
-  for (int cell = 0; cell < raster.cells(); ++cell) {
-    if (!raster.inside(cell)) continue;
-    const auto at = raster.cell_frame.coordinates(cell);
-    for (const auto& step : CellGeometry<D>::corners) {
-      auto corner = at;
-      for (std::size_t a = 0; a < D; ++a) corner[a] += step[a];
-      number[static_cast<std::size_t>(raster.node_frame.index(corner))] = 0;
-    }
+Cell<D> corner_rows(const Raster<D>& raster, int cell) {
+  Cell<D> rows{};
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    auto corner = raster.cell_frame.coordinates(cell);
+    for (std::size_t a = 0; a < D; ++a) corner[a] += corner_steps[k][a];
+    rows[k] = raster.node_frame.index(corner);
   }
-  count = 0;
-  for (int& entry : number)
-    if (entry != none) entry = count++;
-  return number;
-}
-
-template <int D>
-Cell<D> corners_of(const Raster<D>& raster, const std::vector<int>& number, int cell) {
-  const auto at = raster.cell_frame.coordinates(cell);
-  Cell<D> nodes{};
-  for (std::size_t k = 0; k < nodes.size(); ++k) {
-    auto corner = at;
-    for (std::size_t a = 0; a < D; ++a) corner[a] += CellGeometry<D>::corners[k][a];
-    nodes[k] = number[static_cast<std::size_t>(raster.node_frame.index(corner))];
-  }
-  return nodes;
-}
-
-/// Outward area vector of a side of any cell: ±1 in 1D, length of the edge in 2D.
-template <int D>
-Vector<D> side_area(const Side<D>& side, const Vector<D>& spacing) {
-  Vector<D> area = Vector<D>::Zero();
-  const auto axis = static_cast<int>(side.axis);
-  area(axis) = side.step * spacing.prod() / spacing(axis);
-  return area;
+  return rows;
 }
 
 /// Appends the sides of that cell that have no cell of the body beyond them; `nodes` are its
@@ -158,25 +121,26 @@ template <int D>
 void append_faces(const Raster<D>& raster, int cell, const Cell<D>& nodes,
                   std::vector<LabelledFace<D>>& faces) {
   const auto at = raster.cell_frame.coordinates(cell);
-  for (std::size_t s = 0; s < 2 * D; ++s) {
-    const auto& side = CellGeometry<D>::sides[s];
+  const Vector<D>& spacing = raster.cell_frame.spacing;
+  for (int s = 0; s < 2 * D; ++s) {
+    const int axis = s / 2, step = s % 2 == 0 ? -1 : +1;
     auto beyond = at;
-    beyond[side.axis] += side.step;
+    const int position = beyond[static_cast<std::size_t>(axis)] += step;
     const bool on_box =
-        beyond[side.axis] < 0 || beyond[side.axis] >= raster.cell_frame.counts[side.axis];
+        position < 0 || position >= raster.cell_frame.counts[static_cast<std::size_t>(axis)];
     const int kind =
         on_box ? off_base : raster.kind[static_cast<std::size_t>(raster.cell_frame.index(beyond))];
     if (kind == in_body) continue;
-    Face<D> face{{}, side_area<D>(side, raster.cell_frame.spacing)};
-    for (std::size_t k = 0; k < D; ++k) face.nodes[k] = nodes[side.corners[k]];
-    LabelledFace<D> labelled{face, on_box ? static_cast<int>(s) : no_side,
-                             kind == off_base ? 0 : kind};
+    Face<D> face{{}, Vector<D>::Zero()};
+    face.area(axis) = step * spacing.prod() / spacing(axis);
+    for (std::size_t k = 0; k < D; ++k)
+      face.nodes[k] = nodes[side_corners<D>[static_cast<std::size_t>(s)][k]];
+    LabelledFace<D> labelled{face, on_box ? s : no_side, kind == off_base ? 0 : kind};
     if constexpr (D == 2) {
       Vector<2> middle = raster.centre(at);
-      const auto axis = static_cast<int>(side.axis);
-      middle(axis) += 0.5 * side.step * raster.cell_frame.spacing(axis);
+      middle(axis) += 0.5 * step * spacing(axis);
       const NamedPiece& edge = raster.names->closest(middle, face.area);
-      if (edge.side == static_cast<int>(s)) labelled.side = edge.side;
+      if (edge.side == s) labelled.side = s;
       labelled.edge = edge.edge;
     }
     faces.push_back(labelled);
@@ -186,8 +150,14 @@ void append_faces(const Raster<D>& raster, int cell, const Cell<D>& nodes,
 template <int D>
 void fill_on_boundary(const Raster<D>& raster, Particles<D>& particles,
                       std::vector<LabelledFace<D>>& faces) {
+  // The corners of the body's cells are numbered in lattice order.
+  std::vector<int> number(raster.node_count(), none);
+  for (int cell = 0; cell < raster.cells(); ++cell)
+    if (raster.inside(cell))
+      for (const int row : corner_rows(raster, cell)) number[static_cast<std::size_t>(row)] = 0;
   int count = 0;
-  const std::vector<int> number = number_nodes(raster, count);
+  for (int& entry : number)
+    if (entry != none) entry = count++;
   particles.X.resize(count, D);
   particles.V = ScalarField::Zero(count);
   for (std::size_t row = 0; row < number.size(); ++row) {
@@ -200,9 +170,12 @@ void fill_on_boundary(const Raster<D>& raster, Particles<D>& particles,
   particles.cells.reserve(static_cast<std::size_t>(count));
   for (int cell = 0; cell < raster.cells(); ++cell) {
     if (!raster.inside(cell)) continue;
-    const Cell<D> nodes = corners_of(raster, number, cell);
+    Cell<D> nodes = corner_rows(raster, cell);
+    for (int& node : nodes) {
+      node = number[static_cast<std::size_t>(node)];
+      particles.V(node) += share;
+    }
     particles.cells.push_back(nodes);
-    for (const int node : nodes) particles.V(node) += share;
     append_faces(raster, cell, nodes, faces);
   }
 }
@@ -242,15 +215,15 @@ Particles<D> make_lattice(const Shape<D>& shape, double spacing, NodePlacement p
     fill_cell_centred(raster, particles, faces);
   else
     fill_on_boundary(raster, particles, faces);
-  particles.patches = make_patches(faces, holes_of(shape).size());
-  particles.edges = make_edges(faces);
-  particles.B = lumped_areas<D>(particles.size(), particles.find("boundary")->faces);
+  set_boundary(particles, faces, holes_of(shape).size());
   if (std::holds_alternative<Box<D>>(shape.form))
     particles.frame = centred ? raster.cell_frame : raster.node_frame;
   return particles;
 }
 
-template Particles<1> make_lattice(const Shape<1>&, double, NodePlacement, const Place&);
-template Particles<2> make_lattice(const Shape<2>&, double, NodePlacement, const Place&);
+#define TLSPH_INSTANTIATE(D) \
+  template Particles<D> make_lattice(const Shape<D>&, double, NodePlacement, const Place&);
+TLSPH_FOR_DIMENSIONS(TLSPH_INSTANTIATE)
+#undef TLSPH_INSTANTIATE
 
 }  // namespace tlsph

@@ -1,4 +1,4 @@
-#include "tlsph/filling/outline_faces.hpp"
+#include "tlsph/filling/cloud.hpp"
 
 #include <fmt/format.h>
 
@@ -95,10 +95,9 @@ void refuse_outside(const VectorField<2>& X, const Shape<2>& shape, double toler
   for (Index q = 0; q < X.rows(); ++q) {
     const double inside = depth(shape, Vector<2>(X.row(q).transpose()));
     if (!(inside >= -tolerance))
-      throw InputError(places(q),
-                       fmt::format("the point ({:.6g}, {:.6g}) lies outside the shape, {:.3g} m "
-                                   "from it",
-                                   X(q, 0), X(q, 1), -inside));
+      throw InputError(places(q), fmt::format("the point {} lies outside the shape, {:.3g} m "
+                                              "from it",
+                                              position_text(X.row(q).transpose()), -inside));
   }
 }
 
@@ -106,10 +105,11 @@ void require_corner(const VectorField<2>& X, const Vector<2>& corner, const Node
   Index nearest = 0;
   const double distance = (X.rowwise() - corner.transpose()).rowwise().norm().minCoeff(&nearest);
   if (distance > 0.0)
-    throw InputError(places(nearest),
-                     fmt::format("the shape has a corner at ({:.6g}, {:.6g}), the nearest point is "
-                                 "({:.6g}, {:.6g}), {:.3g} m away; every corner must be a point",
-                                 corner.x(), corner.y(), X(nearest, 0), X(nearest, 1), distance));
+    throw InputError(
+        places(nearest),
+        fmt::format("the shape has a corner at {}, the nearest point is {}, {:.3g} m "
+                    "away; every corner must be a point",
+                    position_text(corner), position_text(X.row(nearest).transpose()), distance));
 }
 
 }  // namespace
@@ -120,7 +120,6 @@ std::vector<LabelledFace<2>> outline_faces(VectorField<2>& X, const Shape<2>& sh
   const std::vector<OutlineLoop> loops = outline_loops(shape);
   const Stops stops(loops, X, tolerance);
   const OutlineNames names(shape);
-  const std::vector<Shape<2>> holes = holes_of(shape);
   std::vector<LabelledFace<2>> faces;
   for (std::size_t l = 0; l < loops.size(); ++l) {
     const OutlineLoop& loop = loops[l];
@@ -128,25 +127,14 @@ std::vector<LabelledFace<2>> outline_faces(VectorField<2>& X, const Shape<2>& sh
       if (is_corner(loop[k], loop[(k + 1) % loop.size()])) require_corner(X, loop[k].to, places);
     const std::vector<int> nodes = stops.around(l);
     if (nodes.size() < 3)
-      throw InputError(
-          places(nodes.empty() ? 0 : nodes.front()),
-          fmt::format("too few points on the boundary: {} on the loop through ({:.6g}, {:.6g}), "
-                      "which needs at least three; points within {:.3g} m of it count",
-                      nodes.size(), loop.front().from.x(), loop.front().from.y(), tolerance));
+      throw InputError(places(nodes.empty() ? 0 : nodes.front()),
+                       fmt::format("too few points on the boundary: {} on the loop through {}, "
+                                   "which needs at least three; points within {:.3g} m of it count",
+                                   nodes.size(), position_text(loop.front().from), tolerance));
     for (std::size_t k = 0; k < nodes.size(); ++k) {
       const int from = nodes[k], to = nodes[(k + 1) % nodes.size()];
-      const Vector<2> a = X.row(from).transpose(), b = X.row(to).transpose();
-      const Vector<2> chord = 0.5 * (a + b);
-      Vector<2> middle = chord;
-      double least = std::numeric_limits<double>::infinity();
-      for (const OutlinePiece& piece : loop) {
-        const Vector<2> on = piece.closest(chord);
-        if ((on - chord).squaredNorm() >= least) continue;
-        least = (on - chord).squaredNorm();
-        middle = on;
-      }
-      faces.push_back(
-          labelled({{from, to}, face_area(a, b)}, {a, b, middle}, names, holes, tolerance));
+      const Vector<2> chord = 0.5 * (X.row(from) + X.row(to)).transpose();
+      faces.push_back(names.labelled(X, from, to, tolerance, {closest(loop, chord).point}));
     }
   }
   return faces;

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <utility>
 
+#include "tlsph/geometry/polygon.hpp"
 #include "tlsph/geometry/region.hpp"
 
 namespace tlsph {
@@ -44,27 +46,6 @@ bool breaks(const OutlinePiece& piece, const OutlinePiece& next, double spacing)
                                     std::min(piece.length(), next.length()) > long_piece * spacing);
 }
 
-Vector<2> OutlineSection::at(double distance) const {
-  for (const OutlinePiece& piece : pieces) {
-    const double piece_length = piece.length();
-    if (distance <= piece_length) return piece.at(distance / piece_length);
-    distance -= piece_length;
-  }
-  return pieces.back().to;
-}
-
-Vector<2> OutlineSection::closest(const Vector<2>& x) const {
-  Vector<2> best = pieces.front().from;
-  double least = std::numeric_limits<double>::infinity();
-  for (const OutlinePiece& piece : pieces) {
-    const Vector<2> point = piece.closest(x);
-    if ((point - x).squaredNorm() >= least) continue;
-    least = (point - x).squaredNorm();
-    best = point;
-  }
-  return best;
-}
-
 OutlineSections::OutlineSections(const Shape<2>& shape, double size) : size_(size) {
   for (const OutlineLoop& loop : outline_loops(shape)) add_loop(loop);
   choose_lines(shape);
@@ -72,7 +53,7 @@ OutlineSections::OutlineSections(const Shape<2>& shape, double size) : size_(siz
     const int a = normal_axis(section, merged * size_);
     section.on_line =
         a >= 0 && std::ranges::any_of(lines_[static_cast<std::size_t>(a)], [&](double line) {
-          return std::abs(line - section.at(0.0)(a)) <= merged * size_;
+          return std::abs(line - section.pieces.front().from(a)) <= merged * size_;
         });
     divide(section);
   }
@@ -82,30 +63,23 @@ OutlineSections::OutlineSections(const Shape<2>& shape, double size) : size_(siz
 double OutlineSections::distance(const Vector<2>& x, bool off_lines) const {
   double least = std::numeric_limits<double>::infinity();
   for (const OutlineSection& section : sections_)
-    if (!off_lines || !section.on_line)
-      least = std::min(least, (section.closest(x) - x).squaredNorm());
+    if (!off_lines || !section.on_line) least = std::min(least, closest(section.pieces, x).squared);
   return std::sqrt(least);
 }
 
 void OutlineSections::add_loop(const OutlineLoop& loop) {
-  std::size_t first = loop.size();  // the piece that starts at a corner
-  for (std::size_t k = 0; k < loop.size(); ++k)
-    if (breaks(loop[(k + loop.size() - 1) % loop.size()], loop[k], 0.5 * size_)) first = k;
-  const bool closed = first == loop.size();
+  const auto ends = [&](const OutlinePiece& piece, const OutlinePiece& next) {
+    return breaks(piece, next, 0.5 * size_);
+  };
   const std::size_t begin = sections_.size();
-  bool starts = true;
-  for (std::size_t k = 0; k < loop.size(); ++k) {
-    const OutlinePiece& piece = loop[(first + k) % loop.size()];
-    if (starts) {
-      sections_.emplace_back();
-      sections_.back().next = sections_.size();
-    }
-    sections_.back().pieces.push_back(piece);
-    sections_.back().length += piece.length();
-    starts = !closed && breaks(piece, loop[(first + k + 1) % loop.size()], 0.5 * size_);
+  for (OutlineLoop& pieces : sections(loop, ends)) {
+    OutlineSection& section = sections_.emplace_back();
+    for (const OutlinePiece& piece : pieces) section.length += piece.length();
+    section.closed = pieces.size() == loop.size() && !ends(pieces.back(), pieces.front());
+    section.pieces = std::move(pieces);
+    section.next = sections_.size();
   }
   sections_.back().next = begin;
-  sections_.back().closed = closed;
 }
 
 void OutlineSections::choose_lines(const Shape<2>& shape) {
@@ -114,7 +88,7 @@ void OutlineSections::choose_lines(const Shape<2>& shape) {
     std::vector<std::pair<double, double>> walls;  // length, coordinate
     for (const OutlineSection& section : sections_)
       if (normal_axis(section, merged * size_) == a)
-        walls.emplace_back(section.length, section.at(0.0)(a));
+        walls.emplace_back(section.length, section.pieces.front().from(a));
     std::ranges::sort(walls, std::greater<>());
     std::vector<double> chosen = {box.lower(a), box.upper(a)};
     for (const auto& [length, line] : walls)
@@ -138,7 +112,7 @@ void OutlineSections::divide(OutlineSection& section) const {
               std::max({1.0, std::ceil(sweep / largest_sweep - 1e-9), section.closed ? 4.0 : 1.0}));
     return;
   }
-  const Vector<2> from = section.at(0.0), to = section.at(section.length);
+  const Vector<2> from = section.pieces.front().from, to = section.pieces.back().to;
   const int along = std::abs(to.x() - from.x()) > std::abs(to.y() - from.y()) ? 0 : 1;
   const auto& lines = lines_[static_cast<std::size_t>(along)];
   const auto on_crossing = [&](const Vector<2>& x) {
@@ -165,7 +139,7 @@ void OutlineSections::match_acute_corners() {
     // Tangents, into the corner and out of it: the inner angle is acute if they are nearly opposed
     // and the boundary turns left.
     const Vector<2> n = in.pieces.back().normal(1.0), m = out.pieces.front().normal(0.0);
-    if (n.dot(m) > -acute_cosine || n.x() * m.y() - n.y() * m.x() <= 0.0) continue;
+    if (n.dot(m) > -acute_cosine || cross(n, m) <= 0.0) continue;
     const double last = in.length - in.stops[in.stops.size() - 2], first = out.stops[1];
     const bool in_fixed = in.on_line || in.stops.size() == 2;
     const bool out_fixed = out.on_line || out.stops.size() == 2;
@@ -188,6 +162,76 @@ void OutlineSections::match_acute_corners() {
       section.stops.back() = section.length * first / (first + last);
     if (last > 0.0) section.stops.push_back(section.length);
   }
+}
+
+SplitOutline::SplitOutline(const Particles<2>& lattice, const Shape<2>& shape)
+    : box_(bounding_box(shape)), spacing_(lattice.spacings) {
+  const std::vector<OutlinePiece> pieces = outline(shape);
+  std::ranges::partition_copy(pieces, std::back_inserter(straight_), std::back_inserter(curve_),
+                              [this](const OutlinePiece& piece) { return on_lattice_line(piece); });
+  const auto breaks_of = [&](const std::vector<OutlinePiece>& of) {
+    std::vector<Vector<2>> points;
+    for (const auto& a : of)
+      for (const auto& b : of)
+        if ((a.to - b.from).norm() <= tolerance() && breaks(a, b, lattice.spacing))
+          points.push_back(a.to);
+    return points;
+  };
+  kinks_ = breaks_of(curve_);
+  corners_ = breaks_of(pieces);
+}
+
+Vector<2> SplitOutline::closest_on_curve(const Vector<2>& x) const {
+  return closest(curve_, x).point;
+}
+
+double SplitOutline::distance_to_curve(const Vector<2>& x) const {
+  return std::sqrt(closest(curve_, x).squared);
+}
+
+bool SplitOutline::on_straight(const Vector<2>& x) const {
+  return std::sqrt(closest(straight_, x).squared) <= tolerance();
+}
+
+Vector<2> SplitOutline::normal(const Vector<2>& x) const {
+  Foot foot = closest(straight_, x);
+  if (const Foot other = closest(curve_, x); other.squared < foot.squared) foot = other;
+  return foot.piece->normal_at(foot.point);
+}
+
+std::optional<Vector<2>> SplitOutline::junction(const Vector<2>& x) const {
+  std::optional<Vector<2>> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& piece : straight_) {
+    if ((piece.closest(x) - x).norm() > tolerance()) continue;
+    for (const Vector<2>& end : {piece.from, piece.to})
+      if ((end - x).norm() < least && distance_to_curve(end) <= tolerance()) {
+        least = (end - x).norm();
+        best = end;
+      }
+  }
+  return best;
+}
+
+std::vector<Vector<2>> SplitOutline::samples(double step) const {
+  std::vector<Vector<2>> points;
+  for (const auto* pieces : {&straight_, &curve_})
+    for (const auto& piece : *pieces) {
+      const double count = std::ceil(piece.length() / step);
+      for (double k = 0.0; k < count; k += 1.0) points.push_back(piece.at(k / count));
+    }
+  return points;
+}
+
+bool SplitOutline::on_lattice_line(const OutlinePiece& piece) const {
+  if (piece.is_arc()) return false;
+  for (int a = 0; a < 2; ++a) {
+    const double line = (piece.from(a) - box_.lower(a)) / spacing_(a);
+    if (std::abs(piece.from(a) - piece.to(a)) <= tolerance() &&
+        std::abs(line - std::round(line)) <= 1e-8)
+      return true;
+  }
+  return false;
 }
 
 }  // namespace tlsph

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <tuple>
 
-#include "tlsph/particles/cells.hpp"
+#include "tlsph/particles/points.hpp"
 
 namespace tlsph {
 namespace {
@@ -70,6 +70,16 @@ std::vector<DirectedEdge> free_edges(const std::vector<Cell<2>>& cells) {
     for (std::size_t k = 0; k < 4; ++k)
       if (!exists(cell[(k + 1) % 4], cell[k])) edges.push_back({cell[k], cell[(k + 1) % 4]});
   return edges;
+}
+
+void count_rings(const std::vector<Cell<2>>& cells, int rounds, std::vector<int>& ring) {
+  for (int round = 0; round < rounds; ++round)
+    for (const auto& cell : cells)
+      for (std::size_t k = 0; k < 4; ++k)
+        for (const std::size_t next : {(k + 1) % 4, (k + 3) % 4}) {
+          int& mine = ring[static_cast<std::size_t>(cell[k])];
+          mine = std::min(mine, ring[static_cast<std::size_t>(cell[next])] + 1);
+        }
 }
 
 QuadMesh renumbered(const QuadMesh& mesh, double origin, double spacing) {

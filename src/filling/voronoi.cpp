@@ -1,4 +1,4 @@
-#include "tlsph/filling/voronoi.hpp"
+#include "tlsph/filling/cloud.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tlsph/geometry/cross.hpp"
+#include "tlsph/geometry/polygon.hpp"
 #include "tlsph/geometry/region.hpp"
 
 namespace tlsph {
@@ -16,10 +16,6 @@ constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr double merge_share = 1e-10;
 /// How far beside a piece we look for the body.
 constexpr double probe_share = 1e-7;
-
-OutlinePiece segment(const Vector<2>& from, const Vector<2>& to) {
-  return {from, to};
-}
 
 OutlinePiece arc(const Vector<2>& centre, double radius, double start, double sweep) {
   OutlinePiece piece{Vector<2>(), Vector<2>(), centre, radius, start, sweep};
@@ -32,14 +28,13 @@ OutlinePiece arc(const Vector<2>& centre, double radius, double start, double sw
 void collect(const Shape<2>& shape, std::vector<OutlinePiece>& curves) {
   if (const auto* box = std::get_if<Box<2>>(&shape.form)) {
     const Vector<2> a = box->lower, c = box->upper, b(c.x(), a.y()), d(a.x(), c.y());
-    for (const auto& edge : {segment(a, b), segment(b, c), segment(c, d), segment(d, a)})
-      curves.push_back(edge);
+    curves.insert(curves.end(), {{a, b}, {b, c}, {c, d}, {d, a}});
   } else if (const auto* disc = std::get_if<Disc>(&shape.form)) {
     curves.push_back(arc(disc->centre, disc->radius, 0.0, two_pi));
   } else if (const auto* polygon = std::get_if<Polygon>(&shape.form)) {
     const auto& corners = polygon->corners;
     for (std::size_t k = 0; k < corners.size(); ++k)
-      curves.push_back(segment(corners[k], corners[(k + 1) % corners.size()]));
+      curves.push_back({corners[k], corners[(k + 1) % corners.size()]});
   } else {
     const auto& difference = *std::get<std::shared_ptr<const Difference<2>>>(shape.form);
     collect(difference.base, curves);
@@ -104,7 +99,7 @@ bool near(const OutlinePiece& curve, const Vector<2>& x, double tolerance) {
 OutlinePiece part(const OutlinePiece& curve, double t0, double t1) {
   if (curve.is_arc())
     return arc(curve.centre, curve.radius, curve.start + t0 * curve.sweep, (t1 - t0) * curve.sweep);
-  return segment(curve.at(t0), curve.at(t1));
+  return {curve.at(t0), curve.at(t1)};
 }
 
 OutlinePiece reversed(const OutlinePiece& piece) {
@@ -156,8 +151,8 @@ Vector<2> OutlinePiece::at(double t) const {
   return centre + radius * Vector<2>(std::cos(angle), std::sin(angle));
 }
 
-Vector<2> OutlinePiece::normal(double t) const {
-  if (is_arc()) return std::copysign(1.0, sweep) * (at(t) - centre) / radius;
+Vector<2> OutlinePiece::normal_at(const Vector<2>& x) const {
+  if (is_arc()) return std::copysign(1.0, sweep) * (x - centre) / radius;
   const Vector<2> along = (to - from).normalized();
   return {along.y(), -along.x()};
 }
@@ -176,6 +171,25 @@ Vector<2> OutlinePiece::closest(const Vector<2>& x) const {
   turn -= two_pi * std::floor(turn / two_pi);
   if (turn <= std::abs(sweep) && arm.squaredNorm() > 0.0) return centre + radius * arm.normalized();
   return (x - from).squaredNorm() <= (x - to).squaredNorm() ? from : to;
+}
+
+Foot closest(const std::vector<OutlinePiece>& pieces, const Vector<2>& x) {
+  Foot foot;
+  for (const OutlinePiece& piece : pieces) {
+    const Vector<2> point = piece.closest(x);
+    const double squared = (point - x).squaredNorm();
+    if (squared < foot.squared) foot = {&piece, point, squared};
+  }
+  return foot;
+}
+
+Vector<2> point_along(const OutlineLoop& pieces, double distance) {
+  for (const OutlinePiece& piece : pieces) {
+    const double length = piece.length();
+    if (distance <= length) return piece.at(distance / length);
+    distance -= length;
+  }
+  return pieces.back().to;
 }
 
 std::vector<OutlinePiece> outline(const Shape<2>& shape) {
@@ -228,6 +242,19 @@ std::vector<OutlineLoop> outline_loops(const Shape<2>& shape) {
 bool is_corner(const OutlinePiece& piece, const OutlinePiece& next) {
   constexpr double cosine = 0.94;  // 20°
   return piece.normal(1.0).dot(next.normal(0.0)) < cosine;
+}
+
+std::vector<OutlineLoop> sections(const OutlineLoop& loop, const Breaks& breaks) {
+  std::size_t first = 0;  // the piece after a break
+  for (std::size_t k = 0; k < loop.size(); ++k)
+    if (breaks(loop[(k + loop.size() - 1) % loop.size()], loop[k])) first = k;
+  std::vector<OutlineLoop> result;
+  for (std::size_t k = 0; k < loop.size(); ++k) {
+    const OutlinePiece& piece = loop[(first + k) % loop.size()];
+    if (k == 0 || breaks(result.back().back(), piece)) result.emplace_back();
+    result.back().push_back(piece);
+  }
+  return result;
 }
 
 double enclosed_area(const std::vector<OutlinePiece>& pieces) {

@@ -1,56 +1,14 @@
 #include "tlsph/geometry/polygon.hpp"
 
-#include <cassert>
-#include <cmath>
-
-#include "tlsph/geometry/cross.hpp"
-
 namespace tlsph {
-namespace {
-
-/// Calls action(a, b) with the two far corners, relative to the first one, of each fan triangle.
-template <class Action>
-void for_each_fan_triangle(const Corners& corners, Action action) {
-  for (std::size_t k = 2; k < corners.size(); ++k)
-    action(Vector<2>(corners[k - 1] - corners[0]), Vector<2>(corners[k] - corners[0]));
-}
-
-}  // namespace
 
 double signed_area(const Corners& corners) {
+  // The fan of triangles about the first corner: a small polygon far from the origin loses no
+  // digits.
   double twice = 0.0;
-  for_each_fan_triangle(corners, [&](const auto& a, const auto& b) { twice += cross(a, b); });
+  for (std::size_t k = 2; k < corners.size(); ++k)
+    twice += cross(corners[k - 1] - corners[0], corners[k] - corners[0]);
   return 0.5 * twice;
-}
-
-PolygonMoments moments(const Corners& corners) {
-  // Triangle (0, a, b) of area A: ∫X = A (a+b)/3, ∫X⊗X = A/12 (a⊗a + b⊗b + (a+b)⊗(a+b)).
-  PolygonMoments m;
-  for_each_fan_triangle(corners, [&](const auto& a, const auto& b) {
-    const double area = 0.5 * cross(a, b);
-    const Vector<2> sum = a + b;
-    m.area += area;
-    m.first += area / 3.0 * sum;
-    m.second += area / 12.0 * (a * a.transpose() + b * b.transpose() + sum * sum.transpose());
-  });
-  if (corners.empty()) return m;
-  // Shift from the first corner O to the origin: X = O + Y.
-  const Vector<2>& o = corners[0];
-  m.second += o * m.first.transpose() + m.first * o.transpose() + m.area * o * o.transpose();
-  m.first += m.area * o;
-  return m;
-}
-
-Vector<2> centroid(const Corners& corners) {
-  assert(!corners.empty());
-  double area = 0.0;
-  Vector<2> first = Vector<2>::Zero();
-  for_each_fan_triangle(corners, [&](const auto& a, const auto& b) {
-    area += 0.5 * cross(a, b);
-    first += cross(a, b) / 6.0 * (a + b);
-  });
-  assert(area != 0.0);
-  return corners[0] + first / area;
 }
 
 Corners clip_half_plane(const Corners& subject, const Vector<2>& normal, double offset) {
@@ -66,17 +24,6 @@ Corners clip_half_plane(const Corners& subject, const Vector<2>& normal, double 
       kept.push_back(a + height_a / (height_a - height_b) * (b - a));
   }
   if (kept.size() < 3) kept.clear();
-  return kept;
-}
-
-Corners clip_convex(const Corners& subject, const Corners& convex) {
-  const double sense = std::copysign(1.0, signed_area(convex));
-  Corners kept = subject;
-  for (std::size_t k = 0; k < convex.size() && !kept.empty(); ++k) {
-    const Vector<2> edge = convex[(k + 1) % convex.size()] - convex[k];
-    const Vector<2> outward = sense * Vector<2>(edge.y(), -edge.x());
-    kept = clip_half_plane(kept, outward, outward.dot(convex[k]));
-  }
   return kept;
 }
 

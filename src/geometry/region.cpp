@@ -13,12 +13,6 @@ namespace {
 using DifferencePointer = std::shared_ptr<const Difference<2>>;
 
 template <int D>
-double size_of(const Shape<D>& shape) {
-  const Box<D> box = bounding_box(shape);
-  return (box.upper - box.lower).norm();
-}
-
-template <int D>
 double box_depth(const Box<D>& box, const Vector<D>& x) {
   const Vector<D> outside = (box.lower - x).cwiseMax(x - box.upper);
   const double largest = outside.maxCoeff();
@@ -82,11 +76,6 @@ double depth(const Shape<2>& shape, const Vector<2>& x) {
   return least;
 }
 
-template <int D>
-bool contains(const Shape<D>& shape, const Vector<D>& x) {
-  return depth(shape, x) >= -1e-10 * size_of(shape);
-}
-
 template <>
 double area(const Shape<1>& shape) {
   const auto& interval = std::get<Box<1>>(shape.form);
@@ -109,32 +98,6 @@ double boundary_measure(const Shape<2>& shape) {
   double length = 0.0;
   for (const auto& piece : outline(shape)) length += piece.length();
   return length;
-}
-
-template <>
-Vector<1> closest_boundary_point(const Shape<1>& shape, const Vector<1>& x) {
-  const auto& interval = std::get<Box<1>>(shape.form);
-  return x(0) - interval.lower(0) <= interval.upper(0) - x(0) ? interval.lower : interval.upper;
-}
-
-template <>
-Vector<2> closest_boundary_point(const Shape<2>& shape, const Vector<2>& x) {
-  Vector<2> best = x;
-  double least = std::numeric_limits<double>::infinity();
-  for (const auto& piece : outline(shape)) {
-    const Vector<2> point = piece.closest(x);
-    const double squared = (point - x).squaredNorm();
-    if (squared >= least) continue;
-    least = squared;
-    best = point;
-  }
-  return best;
-}
-
-template <int D>
-double signed_distance(const Shape<D>& shape, const Vector<D>& x) {
-  const double distance = (closest_boundary_point(shape, x) - x).norm();
-  return depth(shape, x) >= 0.0 ? distance : -distance;
 }
 
 const Shape<2>& base_of(const Shape<2>& shape) {
@@ -172,10 +135,6 @@ Shape<2> make_difference(Shape<2> base, std::vector<Shape<2>> holes) {
       std::make_shared<const Difference<2>>(Difference<2>{std::move(base), std::move(holes)})};
 }
 
-template bool contains(const Shape<1>&, const Vector<1>&);
-template bool contains(const Shape<2>&, const Vector<2>&);
-template double signed_distance(const Shape<1>&, const Vector<1>&);
-template double signed_distance(const Shape<2>&, const Vector<2>&);
 template Shape<1> make_box(const Vector<1>&, const Vector<1>&);
 template Shape<2> make_box(const Vector<2>&, const Vector<2>&);
 

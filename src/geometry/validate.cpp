@@ -1,7 +1,6 @@
 #include <fmt/core.h>
 #include <cmath>
 
-#include "tlsph/geometry/cross.hpp"
 #include "tlsph/geometry/outline.hpp"
 #include "tlsph/geometry/polygon.hpp"
 #include "tlsph/geometry/region.hpp"

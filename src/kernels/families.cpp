@@ -1,33 +1,33 @@
 #include "tlsph/kernels/families.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <type_traits>
 
 namespace tlsph {
-
 namespace {
 
-/// Calls visitor with one instance of each family of the variant.
-template <class Visitor, class... Families>
-void for_each_family(std::type_identity<std::variant<Families...>>, Visitor visitor) {
-  static_assert((KernelFamily<Families> && ...));
-  (visitor(Families{}), ...);
+template <KernelFamily... Families>
+std::vector<AnyKernel> one_of_each(std::type_identity<std::variant<Families...>>) {
+  return {Families{}...};
 }
 
-constexpr std::type_identity<AnyKernel> all_families;
+std::string_view name_of(const AnyKernel& kernel) {
+  return std::visit([](const auto& family) { return family.name; }, kernel);
+}
 
 }  // namespace
 
 std::optional<AnyKernel> kernel_by_name(std::string_view name) {
-  std::optional<AnyKernel> found;
-  for_each_family(all_families, [&](auto family) {
-    if (family.name == name) found = family;
-  });
-  return found;
+  for (const AnyKernel& kernel : one_of_each(std::type_identity<AnyKernel>()))
+    if (name_of(kernel) == name) return kernel;
+  return {};
 }
 
 std::vector<std::string_view> kernel_names() {
   std::vector<std::string_view> names;
-  for_each_family(all_families, [&](auto family) { names.push_back(family.name); });
+  std::ranges::transform(one_of_each(std::type_identity<AnyKernel>()), std::back_inserter(names),
+                         name_of);
   return names;
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "parts.hpp"
-#include "tlsph/particles/cells.hpp"
+#include "tlsph/particles/points.hpp"
 #include "tlsph/particles/delaunay.hpp"
 
 namespace tlsph::parts {

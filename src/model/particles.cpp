@@ -11,10 +11,8 @@
 
 #include "tlsph/filling/cloud.hpp"
 #include "tlsph/filling/fitted.hpp"
-#include "tlsph/filling/hexagonal.hpp"
 #include "tlsph/filling/jitter.hpp"
 #include "tlsph/filling/lattice.hpp"
-#include "tlsph/filling/locality.hpp"
 #include "tlsph/io/points_table.hpp"
 #include "tlsph/model/builder.hpp"
 

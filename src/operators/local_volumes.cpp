@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "tlsph/kernels/families.hpp"
-#include "tlsph/kernels/kernel.hpp"
 #include "tlsph/linear/factorization.hpp"
 #include "tlsph/operators/neighbours.hpp"
 #include "tlsph/particles/boundary_runs.hpp"

@@ -5,8 +5,10 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "gauss.hpp"
+#include "tlsph/geometry/polygon.hpp"
 
 namespace tlsph {
 namespace {
@@ -21,54 +23,46 @@ struct Joint {
   double turn = 0.0;
 };
 
-class Joints {
- public:
-  Joints(const VectorField<2>& X, const std::vector<Face<2>>& faces) : X_(X), faces_(faces) {
-    std::multimap<int, std::size_t> begins, ends;
-    for (std::size_t f = 0; f < faces.size(); ++f) {
-      begins.emplace(node(f, 0), f);
-      ends.emplace(node(f, 1), f);
-    }
-    after_.resize(faces.size());
-    before_.resize(faces.size());
-    for (std::size_t f = 0; f < faces.size(); ++f) {
-      const int end = node(f, 1);
-      if (begins.count(end) != 1 || ends.count(end) != 1) continue;
-      const std::size_t next = begins.find(end)->second;
-      const Vector<2> a = along(f);
-      const Vector<2> b = along(next);
-      const double turn = std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
-      if (next == f || std::abs(turn) > corner_turn) continue;
-      after_[f] = Joint{next, turn};
-      before_[next] = Joint{f, turn};
-    }
+/// A face on the way with the body on the left.
+struct Link {
+  int begin = 0, end = 0;
+  Vector<2> chord;
+  std::optional<Joint> before = {}, after = {};
+
+  Link(const VectorField<2>& X, const Face<2>& face) : begin(face.nodes[0]), end(face.nodes[1]) {
+    chord = (X.row(end) - X.row(begin)).transpose();
+    if (cross(face.area, chord) >= 0.0) return;
+    std::swap(begin, end);
+    chord = (X.row(end) - X.row(begin)).transpose();
   }
 
-  /// Begin (0) or end (1) of a face on the way with the body on the left.
-  [[nodiscard]] int node(std::size_t f, std::size_t end) const {
-    const Face<2>& face = faces_[f];
-    const Vector<2> chord = (X_.row(face.nodes[1]) - X_.row(face.nodes[0])).transpose();
-    const bool forward = chord.y() * face.area.x() - chord.x() * face.area.y() >= 0.0;
-    return face.nodes[forward ? end : 1 - end];
-  }
-  [[nodiscard]] Vector<2> along(std::size_t f) const {
-    return (X_.row(node(f, 1)) - X_.row(node(f, 0))).transpose();
-  }
-  [[nodiscard]] const std::optional<Joint>& after(std::size_t f) const { return after_[f]; }
-  [[nodiscard]] const std::optional<Joint>& before(std::size_t f) const { return before_[f]; }
   /// The turn of a face is half of those at its ends; a corner tells nothing of it.
-  [[nodiscard]] double half_turn(std::size_t f) const {
-    if (!before_[f] && !after_[f]) return 0.0;
-    const double begin = before_[f] ? before_[f]->turn : after_[f]->turn;
-    const double end = after_[f] ? after_[f]->turn : before_[f]->turn;
-    return 0.25 * (begin + end);
+  [[nodiscard]] double half_turn() const {
+    if (!before && !after) return 0.0;
+    return 0.25 * ((before ? before : after)->turn + (after ? after : before)->turn);
   }
-
- private:
-  const VectorField<2>& X_;
-  const std::vector<Face<2>>& faces_;
-  std::vector<std::optional<Joint>> after_, before_;
 };
+
+std::vector<Link> linked(const VectorField<2>& X, const std::vector<Face<2>>& faces) {
+  std::vector<Link> links;
+  for (const Face<2>& face : faces) links.emplace_back(X, face);
+  std::multimap<int, std::size_t> begins, ends;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    begins.emplace(links[f].begin, f);
+    ends.emplace(links[f].end, f);
+  }
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const int end = links[f].end;
+    if (begins.count(end) != 1 || ends.count(end) != 1) continue;
+    const std::size_t next = begins.find(end)->second;
+    const Vector<2>&a = links[f].chord, &b = links[next].chord;
+    const double turn = std::atan2(cross(a, b), a.dot(b));
+    if (next == f || std::abs(turn) > corner_turn) continue;
+    links[f].after = Joint{next, turn};
+    links[next].before = Joint{f, turn};
+  }
+  return links;
+}
 
 /// Weight of each node of a run [m]: the cubic through four of them, integrated face by face.
 std::vector<double> cubic_weights(const BoundaryRun& run) {
@@ -103,7 +97,7 @@ double BoundaryRun::arc(std::size_t k) const {
 }
 
 std::vector<BoundaryRun> boundary_runs(const VectorField<2>& X, const std::vector<Face<2>>& faces) {
-  const Joints joints(X, faces);
+  const std::vector<Link> links = linked(X, faces);
   std::vector<char> done(faces.size(), 0);
   std::vector<BoundaryRun> runs;
   const auto follow = [&](std::size_t first) {
@@ -111,18 +105,19 @@ std::vector<BoundaryRun> boundary_runs(const VectorField<2>& X, const std::vecto
     for (std::size_t f = first; done[f] == 0;) {
       done[f] = 1;
       run.face.push_back(f);
-      run.node.push_back(joints.node(f, 0));
-      run.chord.push_back(joints.along(f).norm());
-      run.half_turn.push_back(joints.half_turn(f));
-      if (!joints.after(f)) break;
-      f = joints.after(f)->next;
+      run.node.push_back(links[f].begin);
+      run.chord.push_back(links[f].chord.norm());
+      run.half_turn.push_back(links[f].half_turn());
+      if (!links[f].after) break;
+      f = links[f].after->next;
     }
-    run.closed = joints.after(run.face.back()).has_value();
-    if (!run.closed) run.node.push_back(joints.node(run.face.back(), 1));
+    const Link& last = links[run.face.back()];
+    run.closed = last.after.has_value();
+    if (!run.closed) run.node.push_back(last.end);
     runs.push_back(std::move(run));
   };
   for (std::size_t f = 0; f < faces.size(); ++f)
-    if (done[f] == 0 && !joints.before(f)) follow(f);
+    if (done[f] == 0 && !links[f].before) follow(f);
   for (std::size_t f = 0; f < faces.size(); ++f)
     if (done[f] == 0) follow(f);
   return runs;

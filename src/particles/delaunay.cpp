@@ -7,6 +7,10 @@
 #include <cmath>
 #include <cstdint>
 #include <unordered_map>
+#include <unordered_set>
+#include <utility>
+
+#include "tlsph/geometry/polygon.hpp"
 
 namespace tlsph {
 namespace {
@@ -33,18 +37,14 @@ Vector<2> at(const VectorField<2>& X, int node) {
   return X.row(node).transpose();
 }
 
-std::string point(const Vector<2>& x) {
-  return fmt::format("({:.6g}, {:.6g})", x.x(), x.y());
-}
-
-[[noreturn]] void refuse_face(const VectorField<2>& X, const Face<2>& face,
+[[noreturn]] void refuse_face(const VectorField<2>& X, const DirectedEdge& face,
                               const NodePlaces& places) {
   throw InputError(
-      places(face.nodes[0]),
+      places(face[0]),
       fmt::format("too few points on the boundary: between {} and {} others stand closer to it "
                   "than they stand apart, so no triangle has it as its edge; add points there, or "
                   "move those beside it inwards",
-                  point(at(X, face.nodes[0])), point(at(X, face.nodes[1]))));
+                  position_text(at(X, face[0])), position_text(at(X, face[1]))));
 }
 
 void check_shapes(const VectorField<2>& X, const std::vector<Triangle>& triangles,
@@ -59,8 +59,8 @@ void check_shapes(const VectorField<2>& X, const std::vector<Triangle>& triangle
           places(triangle[0]),
           fmt::format("the points {}, {} and {} stand in a line, so that the triangle between "
                       "them has no area; move one of them",
-                      point(at(X, triangle[0])), point(at(X, triangle[1])),
-                      point(at(X, triangle[2]))));
+                      position_text(at(X, triangle[0])), position_text(at(X, triangle[1])),
+                      position_text(at(X, triangle[2]))));
   }
 }
 
@@ -100,41 +100,50 @@ std::vector<Triangle> delaunay(const VectorField<2>& X) {
   return triangles;
 }
 
-std::vector<Triangle> triangulate(const VectorField<2>& X, const std::vector<Face<2>>& faces,
-                                  const NodePlaces& places) {
-  const std::vector<Triangle> all = delaunay(X);
+EnclosedTriangles enclosed_by(const std::vector<DirectedEdge>& chains,
+                              const std::vector<Triangle>& all) {
+  EnclosedTriangles result;
   const auto left = left_triangles(all);
-  std::unordered_map<std::uint64_t, int> walls;
+  std::unordered_set<std::uint64_t> walls;
   std::vector<char> inside(all.size(), 0);
-  std::vector<int> front;
-  const auto enter = [&](int triangle) {
-    if (inside[static_cast<std::size_t>(triangle)]) return;
-    inside[static_cast<std::size_t>(triangle)] = 1;
-    front.push_back(triangle);
+  std::vector<std::size_t> front;
+  const auto enter = [&](int from, int to) {
+    const auto found = left.find(key(from, to));
+    if (found == left.end()) return false;
+    const auto triangle = static_cast<std::size_t>(found->second);
+    if (!std::exchange(inside[triangle], 1)) front.push_back(triangle);
+    return true;
   };
-  for (const Face<2>& face : faces) {
-    const auto found = left.find(key(face.nodes[0], face.nodes[1]));
-    if (found == left.end()) refuse_face(X, face, places);
-    walls.emplace(found->first, found->second);
-    enter(found->second);
+  for (const DirectedEdge& edge : chains) {
+    walls.insert(key(edge[0], edge[1]));
+    if (!enter(edge[0], edge[1])) result.missing.push_back(edge);
   }
   while (!front.empty()) {
-    const Triangle triangle = all[static_cast<std::size_t>(front.back())];
+    const Triangle triangle = all[front.back()];
     front.pop_back();
     for (std::size_t k = 0; k < 3; ++k) {
       const int from = triangle[k], to = triangle[(k + 1) % 3];
-      if (walls.contains(key(from, to))) continue;
-      const auto beyond = left.find(key(to, from));
-      if (beyond != left.end()) enter(beyond->second);
+      if (!walls.contains(key(from, to)) && !enter(to, from)) result.open = from;
     }
   }
-  std::vector<Triangle> triangles;
+  for (std::size_t t = 0; t < all.size(); ++t)
+    if (inside[t]) result.triangles.push_back(all[t]);
+  return result;
+}
+
+std::string position_text(const Eigen::Ref<const Eigen::VectorXd>& x) {
+  return fmt::format("({:.6g})", fmt::join(x.begin(), x.end(), ", "));
+}
+
+std::vector<Triangle> triangulate(const VectorField<2>& X, const std::vector<Face<2>>& faces,
+                                  const NodePlaces& places) {
+  std::vector<DirectedEdge> chains;
+  for (const Face<2>& face : faces) chains.push_back(face.nodes);
+  auto [triangles, missing, open] = enclosed_by(chains, delaunay(X));
+  if (!missing.empty()) refuse_face(X, missing.front(), places);
   std::vector<char> used(static_cast<std::size_t>(X.rows()), 0);
-  for (std::size_t t = 0; t < all.size(); ++t) {
-    if (!inside[t]) continue;
-    triangles.push_back(all[t]);
-    for (const int node : all[t]) used[static_cast<std::size_t>(node)] = 1;
-  }
+  for (const Triangle& triangle : triangles)
+    for (const int node : triangle) used[static_cast<std::size_t>(node)] = 1;
   check_shapes(X, triangles, places);
   double filled = 0.0;
   for (const Triangle& triangle : triangles) filled += triangle_area(X, triangle);
@@ -149,14 +158,13 @@ std::vector<Triangle> triangulate(const VectorField<2>& X, const std::vector<Fac
   for (Index q = 0; q < X.rows(); ++q)
     if (!used[static_cast<std::size_t>(q)])
       throw InputError(places(q), fmt::format("the point {} is in no triangle of the body",
-                                              point(X.row(q).transpose())));
+                                              position_text(X.row(q).transpose())));
   return triangles;
 }
 
 double triangle_area(const VectorField<2>& X, const Triangle& triangle) {
-  const Vector<2> u = at(X, triangle[1]) - at(X, triangle[0]);
-  const Vector<2> v = at(X, triangle[2]) - at(X, triangle[0]);
-  return 0.5 * (u.x() * v.y() - u.y() * v.x());
+  const Vector<2> here = at(X, triangle[0]);
+  return 0.5 * cross(at(X, triangle[1]) - here, at(X, triangle[2]) - here);
 }
 
 Vector<2> triangle_centre(const VectorField<2>& X, const Triangle& triangle) {

@@ -5,19 +5,6 @@
 #include <limits>
 
 namespace tlsph {
-namespace {
-
-/// Number of nodes of `frame` with `layers` more on every side; a double because it may be too
-/// many.
-template <int D>
-double extended_size(const LatticeFrame<D>& frame, int layers) {
-  double size = 1.0;
-  for (const int count : frame.counts) size *= count + 2.0 * layers;
-  return size;
-}
-
-}  // namespace
-
 template <int D>
 GhostLattice<D> ghost_layers(const Particles<D>& particles, int layers, const Place& place) {
   if (!particles.frame)
@@ -26,7 +13,8 @@ GhostLattice<D> ghost_layers(const Particles<D>& particles, int layers, const Pl
   if (layers < 0)
     throw InputError(place, fmt::format("the number of ghost layers must be ≥ 0, not {}", layers));
   const LatticeFrame<D>& real = *particles.frame;
-  const double size = extended_size(real, layers);
+  double size = 1.0;  // may be more than an integer holds
+  for (const int count : real.counts) size *= count + 2.0 * layers;
   if (size > std::numeric_limits<int>::max())
     throw InputError(place, fmt::format("{} ghost layers make {:.3g} particles, more than can be "
                                         "numbered",

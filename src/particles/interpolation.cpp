@@ -1,6 +1,7 @@
 #include "tlsph/particles/interpolation.hpp"
 
 #include <Eigen/Dense>
+#include <utility>
 
 #include "tlsph/core/error.hpp"
 
@@ -10,13 +11,9 @@ namespace {
 /// Moments are scaled to the radius; below this the nodes lie (nearly) on a line.
 constexpr double degenerate = 1e-3;
 
-/// Nodes that do not determine a fit are refused, or interpolated along the line they lie on.
-enum class OnALine { refused, allowed };
-
-/// Fit over the nodes within `radius`; empty if they do not determine it.
+/// Fit over the nodes within `radius`; empty if they do not determine `rank` of its D + 1 unknowns.
 template <int D>
-InterpolationRow fit(const VectorField<D>& X, const Vector<D>& x, double radius,
-                     OnALine line = OnALine::refused) {
+InterpolationRow fit(const VectorField<D>& X, const Vector<D>& x, double radius, int rank) {
   using Basis = Eigen::Matrix<double, D + 1, 1>;
   using Moment = Eigen::Matrix<double, D + 1, D + 1>;
   InterpolationRow row;
@@ -34,11 +31,11 @@ InterpolationRow fit(const VectorField<D>& X, const Vector<D>& x, double radius,
     basis.push_back(b);
     moment += w * b * b.transpose();
   }
-  if (row.node.size() < (line == OnALine::allowed ? 2 : D + 1)) return {};
+  if (row.node.size() < static_cast<std::size_t>(rank)) return {};
   moment /= moment(0, 0);
   const Eigen::SelfAdjointEigenSolver<Moment> spectrum(moment);
   const auto& eigenvalues = spectrum.eigenvalues();
-  if (eigenvalues[line == OnALine::allowed ? D - 1 : 0] < degenerate) return {};
+  if (eigenvalues[D + 1 - rank] < degenerate) return {};
   // The direction in which the nodes do not differ, if any, is left out.
   Basis c = Basis::Zero();
   for (int k = 0; k <= D; ++k)
@@ -61,16 +58,12 @@ InterpolationRow linear_interpolation(const VectorField<D>& X, const Vector<D>& 
   const double distance =
       std::sqrt((X.rowwise() - x.transpose()).rowwise().squaredNorm().minCoeff(&nearest));
   if (distance <= 1e-6 * spacing) return {{nearest}, {1.0}};
-  for (double radius = distance + 0.6 * spacing; radius < distance + 20.0 * spacing;
-       radius += 0.25 * spacing) {
-    InterpolationRow row = fit<D>(X, x, radius);
-    if (!row.node.empty()) return row;
-  }
-  // A body one cell thick has its stress points in one row.
-  if constexpr (D == 2)
-    for (double radius = distance + 0.6 * spacing; radius < distance + 2.0 * spacing;
+  // A body one cell thick has its stress points in one row: they tell two unknowns, the value and
+  // the slope along it.
+  for (const auto& [rank, reach] : {std::pair(D + 1, 20.0), std::pair(2, 2.0)})
+    for (double radius = distance + 0.6 * spacing; radius < distance + reach * spacing;
          radius += 0.25 * spacing) {
-      InterpolationRow row = fit<D>(X, x, radius, OnALine::allowed);
+      InterpolationRow row = fit<D>(X, x, radius, rank);
       if (!row.node.empty()) return row;
     }
   throw InputError(

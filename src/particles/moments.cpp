@@ -81,32 +81,30 @@ BoundaryRule<2> along_outline(const Shape<2>& shape) {
   return rule;
 }
 
-/// The x with least Σ x²/weight and A x = r, A (conditions × unknowns). Combinations of conditions
-/// that vanish on the nodes to within `negligible` are left as they are: of 1, y and x² those along
-/// a straight edge and a shallow arc, which differ there by the rounding of its nodes (ε R/length).
-/// A itself is decomposed, for A·Aᵀ keeps only half of the digits of such combinations.
-class LeastChange {
- public:
-  LeastChange(const Eigen::MatrixXd& A, const Eigen::VectorXd& weight)
-      : root_(weight.cwiseSqrt()),
-        svd_(A * root_.asDiagonal(), Eigen::ComputeThinU | Eigen::ComputeThinV) {
-    svd_.setThreshold(negligible);
-  }
-  [[nodiscard]] Eigen::VectorXd operator()(const Eigen::VectorXd& r) const {
-    return root_.cwiseProduct(svd_.solve(r));
-  }
-  /// Whether r, relative, is met: where unknowns could do anything about it, and where not.
-  [[nodiscard]] bool meets(const Eigen::VectorXd& r) const {
-    const auto U = svd_.matrixU().leftCols(svd_.rank());
-    const Eigen::VectorXd within = U * (U.transpose() * r);
-    return within.cwiseAbs().maxCoeff() <= met && r.cwiseAbs().maxCoeff() <= negligible;
-  }
-
- private:
-  static constexpr double negligible = 1e-9;
-  Eigen::VectorXd root_;
-  Eigen::JacobiSVD<Eigen::MatrixXd> svd_;
-};
+/// The x that differs least from `x`, Σ δx²/weight, with A x = exact (A: conditions × unknowns).
+/// Combinations of conditions that vanish on the nodes to within `negligible` are left as they are:
+/// of 1, y and x² those along a straight edge and a shallow arc, which differ there by the rounding
+/// of its nodes (ε R/length). A itself is decomposed, for A·Aᵀ keeps only half of the digits of
+/// such combinations. InputError if a residual, in units of `scale`, is left where unknowns could
+/// do something about it, or one that is not negligible elsewhere.
+Eigen::VectorXd least_change(Eigen::VectorXd x, const Eigen::VectorXd& weight,
+                             const Eigen::MatrixXd& A, const Eigen::VectorXd& exact, double scale,
+                             const char* unknowns, int degree, const Place& place) {
+  constexpr double negligible = 1e-9;
+  const Eigen::VectorXd root = weight.cwiseSqrt();
+  Eigen::JacobiSVD<Eigen::MatrixXd> svd(A * root.asDiagonal(),
+                                        Eigen::ComputeThinU | Eigen::ComputeThinV);
+  svd.setThreshold(negligible);
+  for (int round = 0; round < rounds; ++round) x += root.cwiseProduct(svd.solve(exact - A * x));
+  const Eigen::VectorXd left = (exact - A * x) / scale;
+  const auto U = svd.matrixU().leftCols(svd.rank());
+  const Eigen::VectorXd within = U * (U.transpose() * left);
+  if (!(within.cwiseAbs().maxCoeff() <= met && left.cwiseAbs().maxCoeff() <= negligible))
+    throw InputError(place, fmt::format("{} cannot integrate polynomials of degree {} exactly "
+                                        "(residual {:.1e}); choose a finer spacing",
+                                        unknowns, degree, left.cwiseAbs().maxCoeff()));
+  return x;
+}
 
 /// Volumes: ∫ X^β dV by the divergence theorem along the first coordinate.
 template <int D>
@@ -126,13 +124,8 @@ void correct_volumes(Particles<D>& particles, const BoundaryRule<D>& boundary, i
   Eigen::MatrixXd A(conditions, particles.size());
   for (Index q = 0; q < particles.size(); ++q)
     A.col(q) = monomial_values<D>(exponents, local(particles.X.row(q).transpose()));
-  const LeastChange least_change(A, particles.V);
-  for (int round = 0; round < rounds; ++round) particles.V += least_change(exact - A * particles.V);
-  const Eigen::VectorXd left = (exact - A * particles.V) / particles.V.sum();
-  if (!least_change.meets(left))
-    throw InputError(place, fmt::format("node volumes cannot integrate polynomials of degree {} "
-                                        "exactly (residual {:.1e}); choose a finer spacing",
-                                        degree, left.cwiseAbs().maxCoeff()));
+  particles.V =
+      least_change(particles.V, particles.V, A, exact, exact[0], "node volumes", degree, place);
   if (!(particles.V.minCoeff() > 0.0))
     throw InputError(place,
                      "a node volume exact for polynomials would not be positive; choose a "
@@ -168,13 +161,7 @@ void correct_shares(const VectorField<D>& X, std::vector<Face<D>>& faces,
       weight[column] = 1.0 / face.area.norm();
     }
   }
-  const LeastChange least_change(A, weight);
-  for (int round = 0; round < rounds; ++round) shares += least_change(exact - A * shares);
-  const Eigen::VectorXd left = (exact - A * shares) / total;
-  if (!least_change.meets(left))
-    throw InputError(place, fmt::format("boundary areas cannot integrate polynomials of degree {} "
-                                        "exactly (residual {:.1e}); choose a finer spacing",
-                                        degree, left.cwiseAbs().maxCoeff()));
+  shares = least_change(shares, weight, A, exact, total, "boundary areas", degree, place);
   for (std::size_t f = 0; f < faces.size(); ++f)
     for (std::size_t k = 0; k < D; ++k)
       faces[f].share[k] = shares[static_cast<Index>(f) * D + static_cast<Index>(k)];
@@ -182,18 +169,14 @@ void correct_shares(const VectorField<D>& X, std::vector<Face<D>>& faces,
 
 }  // namespace
 
-template <>
-std::vector<std::array<int, 1>> monomials<1>(int degree) {
-  std::vector<std::array<int, 1>> exponents;
-  for (int k = 0; k <= degree; ++k) exponents.push_back({k});
-  return exponents;
-}
-
-template <>
-std::vector<std::array<int, 2>> monomials<2>(int degree) {
-  std::vector<std::array<int, 2>> exponents;
+template <int D>
+std::vector<std::array<int, D>> monomials(int degree) {
+  std::vector<std::array<int, D>> exponents;
   for (int total = 0; total <= degree; ++total)
-    for (int i = total; i >= 0; --i) exponents.push_back({i, total - i});
+    if constexpr (D == 1)
+      exponents.push_back({total});
+    else
+      for (int i = total; i >= 0; --i) exponents.push_back({i, total - i});
   return exponents;
 }
 
@@ -238,13 +221,13 @@ Particles<D> with_exact_moments(Particles<D> particles, QuadratureDegrees degree
   return particles;
 }
 
-template Eigen::VectorXd monomial_values<1>(const std::vector<std::array<int, 1>>&,
-                                            const Vector<1>&);
-template Eigen::VectorXd monomial_values<2>(const std::vector<std::array<int, 2>>&,
-                                            const Vector<2>&);
-template Particles<1> with_exact_moments<1>(Particles<1>, QuadratureDegrees, const Shape<1>*,
-                                            const Place&);
-template Particles<2> with_exact_moments<2>(Particles<2>, QuadratureDegrees, const Shape<2>*,
-                                            const Place&);
+#define TLSPH_INSTANTIATE(D)                                                                    \
+  template std::vector<std::array<int, D>> monomials<D>(int);                                   \
+  template Eigen::VectorXd monomial_values<D>(const std::vector<std::array<int, D>>&,           \
+                                              const Vector<D>&);                                \
+  template Particles<D> with_exact_moments<D>(Particles<D>, QuadratureDegrees, const Shape<D>*, \
+                                              const Place&);
+TLSPH_FOR_DIMENSIONS(TLSPH_INSTANTIATE)
+#undef TLSPH_INSTANTIATE
 
 }  // namespace tlsph

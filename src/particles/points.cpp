@@ -1,12 +1,17 @@
 #include "tlsph/particles/points.hpp"
 
+#include <algorithm>
+
 #include "tlsph/core/error.hpp"
-#include "tlsph/particles/cells.hpp"
+#include "tlsph/geometry/polygon.hpp"
 #include "tlsph/particles/delaunay.hpp"
 
 namespace tlsph {
-
 namespace {
+
+Vector<2> corner(const VectorField<2>& X, const Cell<2>& cell, std::size_t k) {
+  return X.row(cell[k % 4]).transpose();
+}
 
 /// One point per edge: a third of the triangles on both sides, at the centre of area of the two.
 MaterialPoints<2> edge_points(const VectorField<2>& X, const std::vector<Triangle>& triangles) {
@@ -29,6 +34,60 @@ MaterialPoints<2> edge_points(const VectorField<2>& X, const std::vector<Triangl
 }
 
 }  // namespace
+
+template <>
+double cell_volume(const VectorField<1>& X, const Cell<1>& cell) {
+  return X(cell[1]) - X(cell[0]);
+}
+
+template <>
+double cell_volume(const VectorField<2>& X, const Cell<2>& cell) {
+  // Half the cross product of the diagonals: exact for any quadrilateral.
+  return 0.5 *
+         cross(corner(X, cell, 2) - corner(X, cell, 0), corner(X, cell, 3) - corner(X, cell, 1));
+}
+
+template <>
+double least_jacobian(const VectorField<1>& X, const Cell<1>& cell) {
+  return cell_volume<1>(X, cell);
+}
+
+template <>
+double least_jacobian(const VectorField<2>& X, const Cell<2>& cell) {
+  double least = 0.0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Vector<2> here = corner(X, cell, k);
+    const double jacobian = cross(corner(X, cell, k + 1) - here, corner(X, cell, k + 3) - here);
+    least = k == 0 ? jacobian : std::min(least, jacobian);
+  }
+  return least;
+}
+
+template <int D>
+Vector<D> cell_centre(const VectorField<D>& X, const Cell<D>& cell) {
+  Vector<D> sum = Vector<D>::Zero();
+  for (const int node : cell) sum += X.row(node).transpose();
+  return sum / static_cast<double>(cell.size());
+}
+
+template <int D>
+ScalarField node_volumes(const VectorField<D>& X, const std::vector<Cell<D>>& cells) {
+  ScalarField V = ScalarField::Zero(X.rows());
+  for (const auto& cell : cells) {
+    if constexpr (D == 1) {
+      for (const int node : cell) V(node) += 0.5 * cell_volume<1>(X, cell);
+    } else {
+      const Vector<2> centre = cell_centre<2>(X, cell);
+      for (std::size_t k = 0; k < 4; ++k) {
+        const Vector<2> here = corner(X, cell, k);
+        const Vector<2> next = 0.5 * (here + corner(X, cell, k + 1));
+        const Vector<2> last = 0.5 * (here + corner(X, cell, k + 3));
+        V(cell[k]) += 0.5 * cross(centre - here, last - next);
+      }
+    }
+  }
+  return V;
+}
 
 template <int D>
 MaterialPoints<D> cell_points(const Particles<D>& particles) {
@@ -53,9 +112,12 @@ MaterialPoints<D> node_points(const Particles<D>& particles) {
   return {particles.X, particles.V};
 }
 
-template MaterialPoints<1> cell_points(const Particles<1>&);
-template MaterialPoints<2> cell_points(const Particles<2>&);
-template MaterialPoints<1> node_points(const Particles<1>&);
-template MaterialPoints<2> node_points(const Particles<2>&);
+#define TLSPH_INSTANTIATE(D)                                                             \
+  template Vector<D> cell_centre(const VectorField<D>&, const Cell<D>&);                 \
+  template ScalarField node_volumes(const VectorField<D>&, const std::vector<Cell<D>>&); \
+  template MaterialPoints<D> cell_points(const Particles<D>&);                           \
+  template MaterialPoints<D> node_points(const Particles<D>&);
+TLSPH_FOR_DIMENSIONS(TLSPH_INSTANTIATE)
+#undef TLSPH_INSTANTIATE
 
 }  // namespace tlsph

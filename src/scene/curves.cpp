@@ -46,7 +46,7 @@ const std::vector<CurveKind>& curve_kinds() {
       {"sine-squared", SineSquaredCurve{}, {key_of("duration", &SineSquaredCurve::duration)}},
       {"table",
        TableCurve{},
-       {key_of("time", &TableCurve::time), key_of("value", &TableCurve::value)}},
+       {key_of("time", &TableCurve::time), key_of("value", &TableCurve::values)}},
   };
   return kinds;
 }
@@ -75,7 +75,7 @@ struct CurveShape {
           scaled);
       return scaled;
     }
-    for (double& x : table->value) x *= amplitude;
+    for (double& x : table->values) x *= amplitude;
     return cubic ? cubic_spline(std::move(*table)) : scaled;
   }
 };
@@ -92,10 +92,10 @@ double amplitude_of(const Curve& curve) {
 
 void check_history(const TableView& view, const TableCurve& table) {
   if (table.time.empty()) throw InputError(view.place_of("time"), "must have at least one instant");
-  if (table.time.size() != table.value.size())
+  if (table.time.size() != table.values.size())
     throw InputError(view.place_of("value"),
                      fmt::format("must have as many entries as time, {}, not {}", table.time.size(),
-                                 table.value.size()));
+                                 table.values.size()));
   for (std::size_t i = 1; i < table.time.size(); ++i)
     if (!(table.time[i - 1] < table.time[i]))
       throw InputError(view.place_of("time"), fmt::format("must increase, but {} follows {}",
@@ -160,9 +160,9 @@ double ratio(const Curve& first, const Curve& second) {
   const auto* table = std::get_if<TableCurve>(&first);
   if (table == nullptr) return amplitude_of(second);
   const auto largest =
-      std::ranges::max_element(table->value, {}, [](double x) { return std::abs(x); });
+      std::ranges::max_element(table->values, {}, [](double x) { return std::abs(x); });
   return std::get<TableCurve>(second)
-             .value[static_cast<std::size_t>(largest - table->value.begin())] /
+             .values[static_cast<std::size_t>(largest - table->values.begin())] /
          *largest;
 }
 

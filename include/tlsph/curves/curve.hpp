@@ -10,9 +10,14 @@
 
 namespace tlsph {
 
+// Every curve has the members value(t), rate(t) and integral(t), for t ≥ 0.
+
 /// amplitude for t ≥ 0.
 struct ConstantCurve {
   double amplitude = 0.0;
+  [[nodiscard]] double value(double) const { return amplitude; }
+  [[nodiscard]] double rate(double) const { return 0.0; }
+  [[nodiscard]] double integral(double t) const { return amplitude * t; }
 };
 
 /// From 0 at t = 0 linearly to amplitude at t = rise, constant afterwards. `smooth` replaces the
@@ -21,6 +26,7 @@ struct RampCurve {
   double amplitude = 0.0;
   double rise = 0.0;
   bool smooth = false;
+  [[nodiscard]] double value(double t) const, rate(double t) const, integral(double t) const;
 };
 
 /// The smoothed square pulse A/2 [erf((t − 3r)/r) − erf((t − 3r − T)/r)], r = rise, T = duration.
@@ -30,12 +36,14 @@ struct PulseCurve {
   double amplitude = 0.0;
   double duration = 0.0;
   double rise = 0.0;
+  [[nodiscard]] double value(double t) const, rate(double t) const, integral(double t) const;
 };
 
 /// amplitude sin²(π t/T) for 0 ≤ t ≤ T, zero afterwards.
 struct SineSquaredCurve {
   double amplitude = 0.0;
   double duration = 0.0;
+  [[nodiscard]] double value(double t) const, rate(double t) const, integral(double t) const;
 };
 
 /// Through (time, value), constant before the first and after the last entry. Times do not
@@ -43,8 +51,9 @@ struct SineSquaredCurve {
 /// linear, or cubic with the second derivatives `curvature` at them.
 struct TableCurve {
   std::vector<double> time;
-  std::vector<double> value;
+  std::vector<double> values;
   std::vector<double> curvature;  ///< empty: linear
+  [[nodiscard]] double value(double t) const, rate(double t) const, integral(double t) const;
 };
 
 /// The table as natural cubic splines, one between every two jumps: value, rate and second

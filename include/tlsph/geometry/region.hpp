@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Questions one may ask a shape: is a point in it, how large is it, where is its boundary, is it
-/// sound. Lengths in metres.
+/// What shapes are like: their size, the depth of a point in them, their parts, whether they are
+/// sound; and how they are made. Lengths in metres.
 
 #include <string>
 #include <vector>
@@ -21,11 +21,6 @@ template <int D>
 template <int D>
 [[nodiscard]] double depth(const Shape<D>& shape, const Vector<D>& x);
 
-/// True in the closed set: boundary points, of holes too, belong to the shape. Tolerance 1e-10 of
-/// the diagonal of the bounding box.
-template <int D>
-[[nodiscard]] bool contains(const Shape<D>& shape, const Vector<D>& x);
-
 /// Length [m] or area [m²], in closed form for every shape (see geometry/outline.hpp).
 template <int D>
 [[nodiscard]] double area(const Shape<D>& shape);
@@ -33,14 +28,6 @@ template <int D>
 /// Number of end points (2) in 1D, length of the boundary [m] in 2D, holes included.
 template <int D>
 [[nodiscard]] double boundary_measure(const Shape<D>& shape);
-
-/// Point of the boundary (of holes too) closest to x. The shape must be valid.
-template <int D>
-[[nodiscard]] Vector<D> closest_boundary_point(const Shape<D>& shape, const Vector<D>& x);
-
-/// Distance to the boundary [m], positive inside.
-template <int D>
-[[nodiscard]] double signed_distance(const Shape<D>& shape, const Vector<D>& x);
 
 /// What holes are cut from: the shape itself if it is no difference.
 [[nodiscard]] const Shape<2>& base_of(const Shape<2>& shape);

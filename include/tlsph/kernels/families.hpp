@@ -1,26 +1,67 @@
 #pragma once
 /// \file
-/// The kernel families. Every shape is written in q = r/h with h the full support radius, so
-/// families that the literature writes with support 2h appear here with q̂ = 2q. A new family is one
-/// struct, one entry in `AnyKernel` and one entry in the typed tests.
+/// Kernels ("cover functions" in the thesis). A family is a stateless struct with the shape w(q)
+/// and its first two derivatives on 0 ≤ q < 1, q = r/h, h the **full support radius**, and the
+/// constant α_d that makes ∫ W dV = 1 for W(r) = α_d w(r/h)/h^d in d dimensions. Families that the
+/// literature writes with support 2h appear here with q̂ = 2q. A new family is one struct, one entry
+/// in `AnyKernel` and one entry in the typed tests.
 
 #include <cmath>
+#include <concepts>
 #include <numbers>
 #include <optional>
 #include <string_view>
 #include <variant>
 #include <vector>
 
-#include "tlsph/kernels/kernel.hpp"
-
 namespace tlsph {
 
+template <class K>
+concept KernelFamily = requires(double q) {
+  { K::name } -> std::convertible_to<std::string_view>;
+  { K::shape(q) } -> std::same_as<double>;
+  { K::first(q) } -> std::same_as<double>;          // dw/dq
+  { K::second(q) } -> std::same_as<double>;         // d²w/dq²
+  { K::normalisation(1) } -> std::same_as<double>;  // α_d for d = 1, 2, 3
+};
+
 namespace detail {
+/// x^n for a small n known at compile time.
+template <int N>
+constexpr double power(double x) {
+  if constexpr (N == 0)
+    return 1.0;
+  else
+    return x * power<N - 1>(x);
+}
+
 /// Picks α_d; d = 1, 2 or 3.
 constexpr double by_dimension(int d, double one, double two, double three) {
   return d == 1 ? one : d == 2 ? two : three;
 }
+
 }  // namespace detail
+
+/// W(r) [m^(−D)] at distance r ≥ 0 [m], support radius h [m]; zero for r ≥ h.
+template <int D, KernelFamily K>
+[[nodiscard]] double kernel_value(const K&, double r, double h) {
+  if (r >= h) return 0.0;
+  return K::normalisation(D) * K::shape(r / h) / detail::power<D>(h);
+}
+
+/// dW/dr [m^(−D−1)]; zero for r ≥ h.
+template <int D, KernelFamily K>
+[[nodiscard]] double kernel_first(const K&, double r, double h) {
+  if (r >= h) return 0.0;
+  return K::normalisation(D) * K::first(r / h) / detail::power<D + 1>(h);
+}
+
+/// d²W/dr² [m^(−D−2)]; zero for r ≥ h.
+template <int D, KernelFamily K>
+[[nodiscard]] double kernel_second(const K&, double r, double h) {
+  if (r >= h) return 0.0;
+  return K::normalisation(D) * K::second(r / h) / detail::power<D + 2>(h);
+}
 
 /// (1 + 3q)(1 − q)³.
 struct Lucy {

@@ -9,8 +9,9 @@
 /// a grid of 2³⁰ steps across the cloud, on which nodes are placed for the topology alone: every
 /// length, area and volume is computed from the nodes as they are.
 
+#include <array>
 #include <functional>
-#include <utility>
+#include <string>
 #include <vector>
 
 #include "tlsph/core/error.hpp"
@@ -24,8 +25,25 @@ namespace tlsph {
 /// are taken for one.
 [[nodiscard]] std::vector<Triangle> delaunay(const VectorField<2>& X);
 
+/// An edge from one node to another with something on its left.
+using DirectedEdge = std::array<int, 2>;
+
+/// The part of a triangulation that closed chains of edges enclose.
+struct EnclosedTriangles {
+  std::vector<Triangle> triangles;
+  std::vector<DirectedEdge> missing;  ///< edges of the chains that have no triangle on their left
+  int open = -1;                      ///< a node where the chains leave a gap, −1: nowhere
+};
+
+/// The triangles of `all` on the left of the chains, in their order.
+[[nodiscard]] EnclosedTriangles enclosed_by(const std::vector<DirectedEdge>& chains,
+                                            const std::vector<Triangle>& all);
+
 /// Where a node came from, for complaints about it.
 using NodePlaces = std::function<Place(Index)>;
+
+/// A position as messages write it, (x) or (x, y).
+[[nodiscard]] std::string position_text(const Eigen::Ref<const Eigen::VectorXd>& x);
 
 /// The Delaunay triangles on the inner side of the boundary faces (body on their left): their areas
 /// sum to what the faces enclose. InputError, at the place of a node, where a face is no edge of

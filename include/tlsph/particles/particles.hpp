@@ -10,9 +10,12 @@
 #include <vector>
 
 #include "tlsph/core/types.hpp"
-#include "tlsph/particles/node_placement.hpp"
 
 namespace tlsph {
+
+/// Where nodes sit on a lattice: at the corners of its cells, so that some lie on the boundary, or
+/// at the centres of the cells.
+enum class NodePlacement { on_boundary, cell_centred };
 
 /// A full interval or box of nodes in rows: node (i, j) at origin + (i Δ_x, j Δ_y).
 template <int D>
@@ -27,37 +30,21 @@ struct LatticeFrame {
   [[nodiscard]] int index(const std::array<int, D>& coordinates) const {
     if constexpr (D == 1)
       return coordinates[0];
+    else if (counts[0] > counts[1])
+      return coordinates[0] + counts[0] * coordinates[1];
     else
-      return first_runs() ? coordinates[0] + counts[0] * coordinates[1]
-                          : coordinates[0] * counts[1] + coordinates[1];
+      return coordinates[0] * counts[1] + coordinates[1];
   }
   /// Lattice coordinates of a row, the inverse of `index`.
   [[nodiscard]] std::array<int, D> coordinates(int row) const {
     if constexpr (D == 1)
       return {row};
-    else if (first_runs())
+    else if (counts[0] > counts[1])
       return {row % counts[0], row / counts[0]};
     else
       return {row / counts[1], row % counts[1]};
   }
-
- private:
-  [[nodiscard]] bool first_runs() const {
-    if constexpr (D == 1)
-      return true;
-    else
-      return counts[0] > counts[1];
-  }
 };
-
-namespace detail {
-template <int D>
-constexpr std::array<double, D> equal_shares() {
-  std::array<double, D> shares{};
-  for (double& share : shares) share = 1.0 / D;
-  return shares;
-}
-}  // namespace detail
 
 /// A piece of the boundary between neighbouring boundary nodes.
 template <int D>
@@ -66,7 +53,11 @@ struct Face {
       nodes;       ///< its end nodes (twice the same one for cell-centred particles in 2D)
   Vector<D> area;  ///< outward area vector [m^(d−1)], reference configuration
   /// Part of the area that each end node stands for; equal ones are the trapezoidal rule.
-  std::array<double, D> share = detail::equal_shares<D>();
+  std::array<double, D> share = [] {
+    std::array<double, D> shares{};
+    shares.fill(1.0 / D);
+    return shares;
+  }();
   /// A piece of a face, or a face of an edge that is taken in part: `area` is that of the piece,
   /// the shares are those of linear functions and keep their values.
   bool cut = false;
@@ -114,7 +105,7 @@ struct Particles {
       frame;                   ///< only if the body is an undisturbed full interval or box
   std::vector<int> line = {};  ///< N lines of the file that listed them, from 1; else empty
   std::vector<Patch<D>> edges =
-      {};  ///< in 2D the boundary from corner to corner: `edge1` … (particles/outline_names.hpp)
+      {};  ///< in 2D the boundary from corner to corner: `edge1` … (particles/boundary_faces.hpp)
 
   [[nodiscard]] Index size() const { return X.rows(); }
   /// The patch of that name, nullptr if the body has none.

@@ -22,7 +22,7 @@
 #include "tlsph/linear/solver_choice.hpp"
 #include "tlsph/materials/any_law.hpp"
 #include "tlsph/operators/correction.hpp"
-#include "tlsph/particles/node_placement.hpp"
+#include "tlsph/particles/particles.hpp"
 #include "tlsph/scene/defaulted.hpp"
 
 namespace tlsph {

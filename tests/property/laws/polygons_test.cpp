@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <set>
 
+#include "boundary_distance.hpp"
 #include "property/polygons.hpp"
 #include "tlsph/filling/fitted.hpp"
 #include "tlsph/geometry/region.hpp"

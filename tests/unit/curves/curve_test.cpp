@@ -150,7 +150,7 @@ TEST(CurveByHand, SplineOfASineIsOfFourthOrderAndTwiceDifferentiable) {
     TableCurve table;
     for (int k = 0; k <= entries; ++k) {
       table.time.push_back(3.0 * k / entries);
-      table.value.push_back(std::sin(std::acos(-1.0) * table.time.back()));
+      table.values.push_back(std::sin(std::acos(-1.0) * table.time.back()));
     }
     const Curve curve = cubic_spline(table);
     double largest = 0.0;

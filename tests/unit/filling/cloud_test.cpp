@@ -5,7 +5,6 @@
 
 #include <numeric>
 
-#include "tlsph/filling/voronoi.hpp"
 #include "tlsph/geometry/region.hpp"
 #include "tlsph/particles/points.hpp"
 #include "unit/particles/refusal.hpp"

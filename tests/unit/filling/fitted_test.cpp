@@ -6,9 +6,9 @@
 #include <cmath>
 #include <set>
 
+#include "boundary_distance.hpp"
 #include "tlsph/filling/lattice.hpp"
 #include "tlsph/geometry/region.hpp"
-#include "tlsph/particles/cells.hpp"
 #include "tlsph/particles/points.hpp"
 #include "unit/particles/refusal.hpp"
 

@@ -1,4 +1,4 @@
-#include "tlsph/filling/hexagonal.hpp"
+#include "tlsph/filling/lattice.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "boundary_distance.hpp"
 #include "tlsph/filling/jitter.hpp"
 #include "tlsph/geometry/region.hpp"
 #include "tlsph/particles/delaunay.hpp"

@@ -8,7 +8,6 @@
 
 #include "tlsph/filling/lattice.hpp"
 #include "tlsph/geometry/region.hpp"
-#include "tlsph/particles/cells.hpp"
 #include "tlsph/particles/points.hpp"
 #include "unit/particles/refusal.hpp"
 

@@ -1,4 +1,4 @@
-#include "tlsph/filling/locality.hpp"
+#include "tlsph/filling/cloud.hpp"
 
 #include <gtest/gtest.h>
 

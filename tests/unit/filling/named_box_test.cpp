@@ -8,7 +8,6 @@
 
 #include "tlsph/filling/cloud.hpp"
 #include "tlsph/filling/fitted.hpp"
-#include "tlsph/filling/hexagonal.hpp"
 #include "tlsph/filling/jitter.hpp"
 #include "tlsph/filling/lattice.hpp"
 #include "tlsph/geometry/region.hpp"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "boundary_distance.hpp"
 #include "tlsph/geometry/outline.hpp"
 
 namespace tlsph {

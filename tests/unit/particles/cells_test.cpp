@@ -1,5 +1,3 @@
-#include "tlsph/particles/cells.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 /// What edges are called: by what they face, by number, by hole.
 
-#include "tlsph/particles/outline_names.hpp"
+#include "tlsph/particles/boundary_faces.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,6 @@
 #include <numbers>
 
 #include "tlsph/filling/fitted.hpp"
-#include "tlsph/filling/hexagonal.hpp"
 #include "tlsph/filling/lattice.hpp"
 #include "tlsph/geometry/region.hpp"
 

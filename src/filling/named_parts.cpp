@@ -132,16 +132,21 @@ void append_within(const Particles<2>& particles, const Patch<2>& edge,
   }
 }
 
+template <int D>
+void refuse_taken(const Particles<D>& particles, const std::string& name, const Place& place) {
+  if (particles.find(name))
+    throw InputError(place, fmt::format("tag \"{}\" already names a part of the body; choose "
+                                        "another name",
+                                        name));
+}
+
 }  // namespace
 
 template <int D>
 Particles<D> with_named_box(Particles<D> particles, const std::string& name, const Vector<D>& lower,
                             const Vector<D>& upper, const Place& place,
                             [[maybe_unused]] const Shape<D>* shape) {
-  if (particles.find(name))
-    throw InputError(place, fmt::format("tag \"{}\" already names a part of the body; choose "
-                                        "another name",
-                                        name));
+  refuse_taken(particles, name, place);
   if (!(lower.array() <= upper.array()).all())
     throw InputError(place, fmt::format("the box of tag \"{}\" is upside down: every lower bound "
                                         "must be at most its upper bound",
@@ -166,9 +171,34 @@ Particles<D> with_named_box(Particles<D> particles, const std::string& name, con
   return particles;
 }
 
-template Particles<1> with_named_box(Particles<1>, const std::string&, const Vector<1>&,
-                                     const Vector<1>&, const Place&, const Shape<1>*);
-template Particles<2> with_named_box(Particles<2>, const std::string&, const Vector<2>&,
-                                     const Vector<2>&, const Place&, const Shape<2>*);
+template <int D>
+Particles<D> with_named_nodes(Particles<D> particles, const std::string& name,
+                              std::vector<int> nodes, const Place& place) {
+  refuse_taken(particles, name, place);
+  std::ranges::sort(nodes);
+  nodes.erase(std::ranges::unique(nodes).begin(), nodes.end());
+  Patch<D> patch{name, std::move(nodes), {}};
+  const auto inside = [&](int node) { return std::ranges::binary_search(patch.nodes, node); };
+  const auto append = [&](const std::vector<Face<D>>& edge) {
+    const std::size_t first = patch.faces.size();
+    std::ranges::copy_if(edge, std::back_inserter(patch.faces), [&](const Face<D>& face) {
+      return std::ranges::all_of(face.nodes, inside);
+    });
+    const bool part = D == 2 && patch.faces.size() - first < edge.size();
+    for (std::size_t f = first; f < patch.faces.size(); ++f) patch.faces[f].cut = part;
+  };
+  if (D == 1) append(particles.find("boundary")->faces);
+  for (const Patch<D>& edge : particles.edges) append(edge.faces);
+  particles.patches.push_back(std::move(patch));
+  return particles;
+}
+
+#define TLSPH_INSTANTIATE(D)                                                                 \
+  template Particles<D> with_named_box(Particles<D>, const std::string&, const Vector<D>&,   \
+                                       const Vector<D>&, const Place&, const Shape<D>*);     \
+  template Particles<D> with_named_nodes(Particles<D>, const std::string&, std::vector<int>, \
+                                         const Place&);
+TLSPH_FOR_DIMENSIONS(TLSPH_INSTANTIATE)
+#undef TLSPH_INSTANTIATE
 
 }  // namespace tlsph
