@@ -16,7 +16,7 @@
 #include "tlsph/core/error.hpp"
 #include "tlsph/core/stopwatch.hpp"
 #include "tlsph/io/files.hpp"
-#include "tlsph/linear/blas_threads.hpp"
+#include "tlsph/linear/factorization.hpp"
 #include "tlsph/simulation/version.hpp"
 #include "tlsph/studies/figure.hpp"
 #include "validation_table.hpp"

@@ -6,6 +6,9 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+/// X(D) for the dimensions a body may have: explicit instantiations of templates.
+#define TLSPH_FOR_DIMENSIONS(X) X(1) X(2)
+
 namespace tlsph {
 
 /// Index of a particle, point, row or column.

@@ -48,7 +48,7 @@
 /// of G is what it was. `consistency_cost` foretells it, `tlsph plan` prints that.
 
 #include "tlsph/core/error.hpp"
-#include "tlsph/linear/factor_cost.hpp"
+#include "tlsph/linear/factorization.hpp"
 #include "tlsph/operators/vector_operator.hpp"
 #include "tlsph/particles/particles.hpp"
 

@@ -19,7 +19,7 @@
 #include "tlsph/formulations/formulation.hpp"
 #include "tlsph/formulations/ghost_closure.hpp"
 #include "tlsph/geometry/shape.hpp"
-#include "tlsph/linear/solver_choice.hpp"
+#include "tlsph/linear/factorization.hpp"
 #include "tlsph/materials/any_law.hpp"
 #include "tlsph/operators/correction.hpp"
 #include "tlsph/particles/node_placement.hpp"
