@@ -61,10 +61,10 @@ struct Lu::Factor : Factorization::Impl {
   void solve(const double* rhs, double* x, SolveWorkspace::Impl& scratch,
              bool transposed) const override {
     std::array<double, UMFPACK_INFO> info{};
-    const int status = umfpack_di_wsolve(transposed ? UMFPACK_Aat : UMFPACK_A,
-                                         matrix.outerIndexPtr(), matrix.innerIndexPtr(),
-                                         matrix.valuePtr(), x, rhs, numeric, control.data(),
-                                         info.data(), scratch.indices.data(), scratch.values.data());
+    const int status = umfpack_di_wsolve(
+        transposed ? UMFPACK_Aat : UMFPACK_A, matrix.outerIndexPtr(), matrix.innerIndexPtr(),
+        matrix.valuePtr(), x, rhs, numeric, control.data(), info.data(), scratch.indices.data(),
+        scratch.values.data());
     if (status != UMFPACK_OK)
       throw NumericalError(fmt::format("{}: the solve failed: {}", method, explain(status)), 0.0,
                            -1);

@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "tlsph/operators/consistency.hpp"
-#include "tlsph/operators/correction.hpp"
+#include "tlsph/operators/gradients.hpp"
 
 namespace tlsph {
 

@@ -82,13 +82,6 @@ template <int D>
                                                         ConsistencyDegrees degrees,
                                                         const Place& place = {});
 
-/// The residuals of any gradient, without changing it.
-template <int D>
-[[nodiscard]] ConsistencyResiduals consistency_residuals(const VectorOperator<D>& gradient,
-                                                         const MaterialPoints<D>& points,
-                                                         const Particles<D>& particles,
-                                                         ConsistencyDegrees degrees);
-
 /// The cost of the factorisation behind `consistent_gradient`, once for each direction, from its
 /// symbolic analysis; `bytes` holds the constraints and their matrix too.
 template <int D>

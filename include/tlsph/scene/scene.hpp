@@ -21,7 +21,7 @@
 #include "tlsph/geometry/shape.hpp"
 #include "tlsph/linear/factorization.hpp"
 #include "tlsph/materials/any_law.hpp"
-#include "tlsph/operators/correction.hpp"
+#include "tlsph/operators/gradients.hpp"
 #include "tlsph/particles/node_placement.hpp"
 #include "tlsph/scene/defaulted.hpp"
 
