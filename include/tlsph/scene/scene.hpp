@@ -17,7 +17,6 @@
 #include "tlsph/core/error.hpp"
 #include "tlsph/curves/curve.hpp"
 #include "tlsph/formulations/formulation.hpp"
-#include "tlsph/formulations/ghost_closure.hpp"
 #include "tlsph/geometry/shape.hpp"
 #include "tlsph/linear/factorization.hpp"
 #include "tlsph/materials/any_law.hpp"
