@@ -55,7 +55,8 @@ Row<D> closed(const Support<D>& support, std::vector<Vector<D>> weights, Index p
 template <int D>
 std::vector<Vector<D>> linear(const Support<D>& support, const ScalarField& V) {
   std::vector<Vector<D>> weights;
-  for (std::size_t k = 0; k < support.nodes.size(); ++k) weights.push_back(support.slope(k));
+  for (std::size_t k = 0; k < support.nodes.size(); ++k)
+    weights.push_back(support.pull(k) * -support.arm[k]);
   support.weigh(weights, support.moment(weights, V).inverse(), V);
   return weights;
 }

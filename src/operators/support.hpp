@@ -43,11 +43,14 @@ struct Support {
 
   [[nodiscard]] Index size() const { return static_cast<Index>(nodes.size()); }
 
-  /// ∇_s W(X_s − X_q) of its k-th node; zero for the point itself.
-  [[nodiscard]] Vector<D> slope(std::size_t k) const {
+  /// dW/dr / r of its k-th node; zero for the point itself.
+  [[nodiscard]] double pull(std::size_t k) const {
     const double r = arm[k].norm();
-    if (r == 0.0) return Vector<D>::Zero();
-    return kernel_first<D>(kernel, r, h) / r * -arm[k];
+    return r == 0.0 ? 0.0 : kernel_first<D>(kernel, r, h) / r;
+  }
+  /// ∇_s W(X_s − X_q). Where the two share a coordinate X_s − X_q is +0, the negative arm −0.
+  [[nodiscard]] Vector<D> slope(std::size_t k) const {
+    return pull(k) * (Vector<D>::Zero() - arm[k]);
   }
 
   /// Σ V ∇W ⊗ (X_q − X_s) of slopes ∇W.

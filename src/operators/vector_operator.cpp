@@ -9,18 +9,22 @@
 namespace tlsph {
 
 template <int D>
-VectorOperator<D>::VectorOperator(Index rows, Index cols, Neighbours pattern,
-                                  std::vector<double> weights)
-    : rows_(rows), cols_(cols), pattern_(std::move(pattern)), weights_(std::move(weights)) {
-  assert(pattern_.rows() == rows_);
+VectorOperator<D>::VectorOperator(OperatorRows rows, Index cols)
+    : rows_(rows.pattern.rows()),
+      cols_(cols),
+      pattern_(std::move(rows.pattern)),
+      weights_(std::move(rows.weights)) {
   const auto entries = pattern_.column.size();
   stride_ = entries == 0 ? D : static_cast<Index>(weights_.size() / entries);
   assert(stride_ == D || stride_ == D * D);
 }
 
 template <int D>
-VectorOperator<D>::VectorOperator(OperatorRows rows, Index cols)
-    : VectorOperator(rows.pattern.rows(), cols, std::move(rows.pattern), std::move(rows.weights)) {}
+VectorOperator<D>::VectorOperator([[maybe_unused]] Index rows, Index cols, Neighbours pattern,
+                                  std::vector<double> weights)
+    : VectorOperator(OperatorRows{std::move(pattern), std::move(weights)}, cols) {
+  assert(rows_ == rows);
+}
 
 template <int D>
 template <bool PerComponent>
