@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "tlsph/core/stop.hpp"
-#include "tlsph/formulations/mirror.hpp"
+#include "tlsph/formulations/extension.hpp"
 #include "tlsph/operators/gradients.hpp"
 #include "tlsph/operators/row_storage.hpp"
 #include "tlsph/particles/points.hpp"
@@ -182,8 +182,7 @@ void add_operators(Formulation formulation, const OperatorChoices& choices, cons
   template MaterialPoints<D> stress_points<D>(Formulation, const Particles<D>&);       \
   template void add_operators<D>(Formulation, const OperatorChoices&, const Edges<D>&, \
                                  Discretisation<D>&);
-TLSPH_INSTANTIATE(1)
-TLSPH_INSTANTIATE(2)
+TLSPH_FOR_DIMENSIONS(TLSPH_INSTANTIATE)
 #undef TLSPH_INSTANTIATE
 
 }  // namespace tlsph

@@ -11,57 +11,18 @@ namespace {
 
 constexpr auto method = "QR (SPQR)";
 
-/// SPQR takes long indices only.
-using ByColumns = Eigen::SparseMatrix<double, Eigen::ColMajor, SuiteSparse_long>;
-
-/// CHOLMOD's state for long indices.
-class LongState {
- public:
-  LongState() {
-    cholmod_l_start(&common_);
-    common_.print = 0;
-    common_.error_handler = nullptr;
-  }
-  ~LongState() { cholmod_l_finish(&common_); }
-  LongState(const LongState&) = delete;
-  LongState& operator=(const LongState&) = delete;
-
-  cholmod_common* get() { return &common_; }
-
- private:
-  cholmod_common common_{};
-};
-
-cholmod_sparse long_view(const ByColumns& A) {
-  cholmod_sparse view{};
-  view.nrow = static_cast<std::size_t>(A.rows());
-  view.ncol = static_cast<std::size_t>(A.cols());
-  view.nzmax = static_cast<std::size_t>(A.nonZeros());
-  view.p = const_cast<SuiteSparse_long*>(A.outerIndexPtr());
-  view.i = const_cast<SuiteSparse_long*>(A.innerIndexPtr());
-  view.x = const_cast<double*>(A.valuePtr());
-  view.stype = 0;
-  view.itype = CHOLMOD_LONG;
-  view.xtype = CHOLMOD_REAL;
-  view.dtype = CHOLMOD_DOUBLE;
-  view.sorted = 1;
-  view.packed = 1;
-  return view;
-}
-
 }  // namespace
 
 struct LeastNorm::Impl {
-  explicit Impl(const SparseMatrix& transposed) {
+  explicit Impl(const SparseMatrix& transposed)
+      : unknowns(transposed.rows()), conditions(transposed.cols()) {
     reserve_blas_memory();
-    ByColumns by_columns = transposed;
-    by_columns.makeCompressed();
-    cholmod_sparse view = long_view(by_columns);
+    // SPQR takes long indices only.
+    const Eigen::SparseMatrix<double, Eigen::ColMajor, SuiteSparse_long> by_columns = transposed;
+    cholmod_sparse view = sparse_view(by_columns);
     factors =
         SuiteSparseQR_factorize<double>(SPQR_ORDERING_DEFAULT, SPQR_NO_TOL, &view, state.get());
     if (factors == nullptr) fail();
-    unknowns = transposed.rows();
-    conditions = transposed.cols();
     if (factors->rank < conditions)
       throw_failure(method, transposed, "its columns depend on each other");
   }
@@ -83,8 +44,8 @@ struct LeastNorm::Impl {
     throw NumericalError(fmt::format("{}: status {}", method, state.get()->status), 0.0, -1);
   }
 
-  LongState state;
-  Index unknowns = 0, conditions = 0;
+  CommonScope<cholmod_l_start, cholmod_l_finish> state;  // for long indices
+  Index unknowns, conditions;
   SuiteSparseQR_factorization<double>* factors = nullptr;
 };
 
@@ -92,22 +53,18 @@ LeastNorm::LeastNorm(const SparseMatrix& transposed) {
   if (transposed.rows() < transposed.cols())
     throw_failure(method, transposed, "it has fewer rows than columns");
   require_finite(transposed, method);
-  impl_ = std::make_unique<Impl>(transposed);
+  impl_ = std::make_shared<Impl>(transposed);
 }
-
-LeastNorm::~LeastNorm() = default;
-LeastNorm::LeastNorm(LeastNorm&&) noexcept = default;
-LeastNorm& LeastNorm::operator=(LeastNorm&&) noexcept = default;
 
 Eigen::VectorXd LeastNorm::solve(const Eigen::VectorXd& b) {
   assert(b.size() == impl_->conditions);
   // Aᵀ E = Q [R; 0], so A x = b has the shortest solution x = Q [R⁻ᵀ Eᵀ b; 0].
-  cholmod_dense right = dense_view(b.data(), b.size(), 1);
+  cholmod_dense right = dense_view(b.data(), b.size());
   Eigen::VectorXd y = impl_->take(
       SuiteSparseQR_solve(SPQR_RTX_EQUALS_ETB, impl_->factors, &right, impl_->state.get()));
   y.conservativeResize(impl_->unknowns);
   y.tail(impl_->unknowns - impl_->conditions).setZero();
-  cholmod_dense coordinates = dense_view(y.data(), y.size(), 1);
+  cholmod_dense coordinates = dense_view(y.data(), y.size());
   return impl_->take(
       SuiteSparseQR_qmult(SPQR_QX, impl_->factors, &coordinates, impl_->state.get()));
 }

@@ -1,11 +1,13 @@
 #pragma once
 /// \file
-/// What the sources of this room share of SuiteSparse: its state as a scope, and the workspace.
+/// What the sources of this room share of SuiteSparse: its state as a scope, views of matrices, and
+/// what lies behind a factorisation and a workspace.
 
 #include <cholmod.h>
 
 #include <cassert>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "tlsph/linear/factorization.hpp"
@@ -14,22 +16,24 @@ namespace tlsph {
 
 /// CHOLMOD's state, which every call writes to: one for each thread. Silent; problems are read from
 /// `status`.
-class CholmodState {
+template <auto start, auto finish>
+class CommonScope {
  public:
-  CholmodState() {
-    cholmod_start(&common_);
+  CommonScope() {
+    start(&common_);
     common_.print = 0;
     common_.error_handler = nullptr;
   }
-  ~CholmodState() { cholmod_finish(&common_); }
-  CholmodState(const CholmodState&) = delete;
-  CholmodState& operator=(const CholmodState&) = delete;
+  ~CommonScope() { finish(&common_); }
+  CommonScope(const CommonScope&) = delete;
+  CommonScope& operator=(const CommonScope&) = delete;
 
   cholmod_common* get() { return &common_; }
 
  private:
   cholmod_common common_{};
 };
+using CholmodState = CommonScope<cholmod_start, cholmod_finish>;
 
 struct SolveWorkspace::Impl {
   CholmodState state;
@@ -47,38 +51,55 @@ struct SolveWorkspace::Impl {
   Impl& operator=(const Impl&) = delete;
 };
 
-/// A dense column-major block seen by CHOLMOD; the data stay where they are.
-inline cholmod_dense dense_view(const double* data, Index rows, Index columns) {
+/// A factorised matrix A (rows × rows).
+struct Factorization::Impl {
+  Index rows = 0;
+  double norm = 0.0;  ///< ‖A‖₁
+
+  virtual ~Impl() = default;
+  /// Makes scratch as large as solves need it.
+  virtual void prepare(SolveWorkspace::Impl& scratch) const = 0;
+  /// x = A⁻¹ b, or A⁻ᵀ b.
+  virtual void solve(const double* b, double* x, SolveWorkspace::Impl& scratch,
+                     bool transposed) const = 0;
+};
+
+/// A dense column seen by CHOLMOD; the data stay where they are.
+inline cholmod_dense dense_view(const double* data, Index rows) {
   cholmod_dense view{};
-  view.nrow = static_cast<std::size_t>(rows);
-  view.ncol = static_cast<std::size_t>(columns);
-  view.nzmax = view.nrow * view.ncol;
-  view.d = view.nrow;
+  view.nrow = view.nzmax = view.d = static_cast<std::size_t>(rows);
+  view.ncol = 1;
   view.x = const_cast<double*>(data);
   view.xtype = CHOLMOD_REAL;
   view.dtype = CHOLMOD_DOUBLE;
   return view;
 }
 
-/// The rows of A's lower triangle, stored by rows, are the columns of its upper triangle stored by
-/// columns, which is what CHOLMOD calls stype = 1; so A is handed over as it lies in memory.
-inline cholmod_sparse sparse_view(const SparseMatrix& A) {
+/// A general matrix by columns, or a symmetric one by rows: the rows of its lower triangle are the
+/// columns of its upper triangle stored by columns, which is what CHOLMOD calls stype = 1; so A is
+/// handed over as it lies in memory.
+template <class Matrix>
+cholmod_sparse sparse_view(const Matrix& A) {
+  using Stored = typename Matrix::StorageIndex;
   assert(A.isCompressed());
   cholmod_sparse view{};
   view.nrow = static_cast<std::size_t>(A.rows());
   view.ncol = static_cast<std::size_t>(A.cols());
   view.nzmax = static_cast<std::size_t>(A.nonZeros());
-  view.p = const_cast<int*>(A.outerIndexPtr());
-  view.i = const_cast<int*>(A.innerIndexPtr());
+  view.p = const_cast<Stored*>(A.outerIndexPtr());
+  view.i = const_cast<Stored*>(A.innerIndexPtr());
   view.x = const_cast<double*>(A.valuePtr());
-  view.stype = 1;
-  view.itype = CHOLMOD_INT;
+  view.stype = Matrix::IsRowMajor ? 1 : 0;
+  view.itype = std::is_same_v<Stored, int> ? CHOLMOD_INT : CHOLMOD_LONG;
   view.xtype = CHOLMOD_REAL;
   view.dtype = CHOLMOD_DOUBLE;
   view.sorted = 1;
   view.packed = 1;
   return view;
 }
+
+/// Largest column sum of |A|.
+[[nodiscard]] double one_norm(const SparseMatrix& A);
 
 /// Throws unless A holds finite values only, and is square where that is asked for.
 void require_finite(const SparseMatrix& A, const std::string& method);

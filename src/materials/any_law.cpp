@@ -68,10 +68,11 @@ std::string range(const AnyLaw<D>& law) {
       law);
 }
 
-template AnyLaw<1> make_law<1>(LawName, Assumption, std::span<const double>);
-template AnyLaw<2> make_law<2>(LawName, Assumption, std::span<const double>);
-template AnyLaw<3> make_law<3>(LawName, Assumption, std::span<const double>);
-template std::string range<1>(const AnyLaw<1>&);
-template std::string range<2>(const AnyLaw<2>&);
+#define TLSPH_INSTANTIATE(D)                                                    \
+  template AnyLaw<D> make_law<D>(LawName, Assumption, std::span<const double>); \
+  template std::string range<D>(const AnyLaw<D>&);
+TLSPH_FOR_DIMENSIONS(TLSPH_INSTANTIATE)
+TLSPH_INSTANTIATE(3)
+#undef TLSPH_INSTANTIATE
 
 }  // namespace tlsph

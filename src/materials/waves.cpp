@@ -1,10 +1,25 @@
 #include "tlsph/materials/waves.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "tlsph/core/error.hpp"
+
 namespace tlsph {
+
+Lame lame(double young, double poisson) {
+  if (!(young > 0) || !std::isfinite(young))
+    throw InputError(fmt::format("Young's modulus is {} Pa; it must be positive", young));
+  if (!(poisson > -1 && poisson < 0.5))
+    throw InputError(
+        fmt::format("Poisson's ratio is {}; it must lie between -1 and 0.5 (0.5, incompressible, "
+                    "has no finite wave speed)",
+                    poisson));
+  return {young * poisson / ((1 + poisson) * (1 - 2 * poisson)), young / (2 * (1 + poisson))};
+}
 
 double p_modulus(int dimension, Assumption assumption, double young, double poisson) {
   const Lame constants = lame(young, poisson);
@@ -78,40 +93,42 @@ bool certainly_positive_determinant(const Quadratic& a, const Quadratic& b, cons
 
 }  // namespace
 
-template <>
-bool is_hyperbolic<1>(const Tangent<1>& A) {
-  return A(0, 0) > 0;
+template <int D>
+double smallest_acoustic_eigenvalue(const Tangent<D>& A) {
+  if constexpr (D == 1) {
+    return A(0, 0);
+  } else {
+    constexpr int samples = 180;
+    constexpr double step = std::numbers::pi / samples;  // N and −N are the same direction
+    double smallest = acoustic_eigenvalue(A, 0.0);
+    int best = 0;
+    for (int i = 1; i < samples; ++i) {
+      const double value = acoustic_eigenvalue(A, i * step);
+      if (value < smallest) {
+        smallest = value;
+        best = i;
+      }
+    }
+    return std::min(smallest, smallest_between(A, (best - 1) * step, (best + 1) * step));
+  }
 }
 
 /// Q(N) is positive for every N if it is for one and its determinant for all.
-template <>
-bool is_hyperbolic<2>(const Tangent<2>& A) {
-  const Quadratic q00 = acoustic_component(A, 0, 0);
-  const Quadratic q11 = acoustic_component(A, 1, 1);
-  const Quadratic q01 = acoustic_component(A, 0, 1);
-  if (q00.alpha > 0 && certainly_positive_determinant(q00, q11, q01)) return true;
-  return smallest_acoustic_eigenvalue<2>(A) > 0;
-}
-
-template <>
-double smallest_acoustic_eigenvalue<1>(const Tangent<1>& A) {
-  return A(0, 0);
-}
-
-template <>
-double smallest_acoustic_eigenvalue<2>(const Tangent<2>& A) {
-  constexpr int samples = 180;
-  constexpr double step = std::numbers::pi / samples;  // N and −N are the same direction
-  double smallest = acoustic_eigenvalue(A, 0.0);
-  int best = 0;
-  for (int i = 1; i < samples; ++i) {
-    const double value = acoustic_eigenvalue(A, i * step);
-    if (value < smallest) {
-      smallest = value;
-      best = i;
-    }
+template <int D>
+bool is_hyperbolic(const Tangent<D>& A) {
+  if constexpr (D == 2) {
+    const Quadratic q00 = acoustic_component(A, 0, 0);
+    const Quadratic q11 = acoustic_component(A, 1, 1);
+    const Quadratic q01 = acoustic_component(A, 0, 1);
+    if (q00.alpha > 0 && certainly_positive_determinant(q00, q11, q01)) return true;
   }
-  return std::min(smallest, smallest_between(A, (best - 1) * step, (best + 1) * step));
+  return smallest_acoustic_eigenvalue<D>(A) > 0;
 }
+
+#define TLSPH_INSTANTIATE(D)                                          \
+  template double smallest_acoustic_eigenvalue<D>(const Tangent<D>&); \
+  template bool is_hyperbolic<D>(const Tangent<D>&);
+TLSPH_FOR_DIMENSIONS(TLSPH_INSTANTIATE)
+#undef TLSPH_INSTANTIATE
 
 }  // namespace tlsph

@@ -3,7 +3,6 @@
 
 #include "parts.hpp"
 #include "tlsph/materials/lame.hpp"
-#include "tlsph/operators/pair_gradient.hpp"
 #include "tlsph/operators/stabilisers.hpp"
 #include "tlsph/scene/names.hpp"
 

@@ -161,27 +161,7 @@ Eigen::VectorXd least_change(const ConsistencyConstraints<D>& constraints,
   return delta;
 }
 
-/// Takes the residual of a direction into the largest ones.
-void note(ConsistencyResiduals& residuals, const Eigen::VectorXd& left, Index rows) {
-  residuals.row = std::max(residuals.row, left.head(rows).cwiseAbs().maxCoeff());
-  residuals.column =
-      std::max(residuals.column, left.tail(left.size() - rows).cwiseAbs().maxCoeff());
-}
-
 }  // namespace
-
-template <int D>
-ConsistencyResiduals consistency_residuals(const VectorOperator<D>& gradient,
-                                           const MaterialPoints<D>& points,
-                                           const Particles<D>& particles,
-                                           ConsistencyDegrees degrees) {
-  const ConsistencyConstraints<D> constraints(gradient, points, particles, degrees);
-  ConsistencyResiduals residuals;
-  for (int a = 0; a < D; ++a)
-    note(residuals, constraints.residual(entries_of<D>(gradient, a, particles.spacing), a),
-         constraints.row_size());
-  return residuals;
-}
 
 template <int D>
 ConsistentGradient<D> consistent_gradient(const VectorOperator<D>& gradient,
@@ -200,8 +180,11 @@ ConsistentGradient<D> consistent_gradient(const VectorOperator<D>& gradient,
     const Eigen::VectorXd delta =
         least_change<D>(constraints, dependences, pinned, g, freedom, a, factor);
     const Eigen::VectorXd left = constraints.residual(g + delta, a);
-    note(result.residuals, left, constraints.row_size());
-    result.residuals.change = std::max(result.residuals.change, delta.cwiseAbs().maxCoeff());
+    const Index rows = constraints.row_size();
+    auto& [row, column, change] = result.residuals;
+    row = std::max(row, left.head(rows).cwiseAbs().maxCoeff());
+    column = std::max(column, left.tail(left.size() - rows).cwiseAbs().maxCoeff());
+    change = std::max(change, delta.cwiseAbs().maxCoeff());
     for (Index k = 0; k < g.size(); ++k)
       weights[static_cast<std::size_t>(k * D + a)] = (g[k] + delta[k]) / particles.spacing;
   }
@@ -229,16 +212,11 @@ FactorCost consistency_cost(const VectorOperator<D>& gradient, const MaterialPoi
 }
 
 #define TLSPH_INSTANTIATE(D)                                                                       \
-  template ConsistencyResiduals consistency_residuals<D>(const VectorOperator<D>&,                 \
-                                                         const MaterialPoints<D>&,                 \
-                                                         const Particles<D>&, ConsistencyDegrees); \
   template ConsistentGradient<D> consistent_gradient<D>(                                           \
       const VectorOperator<D>&, const MaterialPoints<D>&, const Particles<D>&, ConsistencyDegrees, \
       const Place&);                                                                               \
   template FactorCost consistency_cost<D>(const VectorOperator<D>&, const MaterialPoints<D>&,      \
                                           const Particles<D>&, ConsistencyDegrees);
-TLSPH_INSTANTIATE(1)
-TLSPH_INSTANTIATE(2)
-#undef TLSPH_INSTANTIATE
+TLSPH_FOR_DIMENSIONS(TLSPH_INSTANTIATE)
 
 }  // namespace tlsph

@@ -39,12 +39,13 @@ class ConsistencyConstraints {
         mr_(static_cast<Index>(row_exponents_.size())),
         mc_(static_cast<Index>(column_exponents_.size())),
         rows_(gradient.rows()),
-        cols_(gradient.cols()) {
+        cols_(gradient.cols()),
+        by_node_(by_columns(pattern_, cols_)) {
     row_value_.resize(static_cast<std::size_t>(pattern_.size() * mr_));
     column_value_.resize(static_cast<std::size_t>(pattern_.size() * mc_));
     const double unit = std::pow(spacing_, D);
     for_rows(rows_, [&](Index s) {
-      for (Index k = begin(s); k < begin(s + 1); ++k) {
+      for (const Index k : pattern_.entries(s)) {
         const Vector<D> arm = (particles.X.row(column(k)) - points.X.row(s)).transpose() / spacing_;
         Eigen::Map<Eigen::VectorXd>(row_value_.data() + k * mr_, mr_) =
             monomial_values<D>(row_exponents_, arm);
@@ -52,7 +53,6 @@ class ConsistencyConstraints {
             points.V[s] / unit * monomial_values<D>(column_exponents_, Vector<D>(-arm));
       }
     });
-    transpose();
     targets(particles);
   }
 
@@ -73,14 +73,14 @@ class ConsistencyConstraints {
     for_rows(rows_, [&](Index s) {
       for (Index j = 0; j < mr_; ++j) {
         double sum = is_first(row_exponents_[static_cast<std::size_t>(j)], a) ? 1.0 : 0.0;
-        for (Index k = begin(s); k < begin(s + 1); ++k) sum -= row_polynomial(k)[j] * g[k];
+        for (const Index k : pattern_.entries(s)) sum -= row_polynomial(k)[j] * g[k];
         left[s * mr_ + j] = sum;
       }
     });
     for_rows(cols_, [&](Index q) {
       for (Index j = 0; j < mc_; ++j) {
         double sum = column_target_(q * mc_ + j, a);
-        for (Index t = node_begin(q); t < node_begin(q + 1); ++t)
+        for (const Index t : by_node_.rows.entries(q))
           sum -= column_polynomial(entry(t))[j] * g[entry(t)];
         left[row_size() + q * mc_ + j] = sum;
       }
@@ -93,7 +93,7 @@ class ConsistencyConstraints {
                                        const Eigen::VectorXd& weight) const {
     Eigen::VectorXd delta(entries());
     for_rows(rows_, [&](Index s) {
-      for (Index k = begin(s); k < begin(s + 1); ++k) {
+      for (const Index k : pattern_.entries(s)) {
         double sum = 0.0;
         for (Index j = 0; j < mr_; ++j) sum += row_polynomial(k)[j] * lambda[s * mr_ + j];
         const Index first = row_size() + column(k) * mc_;
@@ -141,7 +141,7 @@ class ConsistencyConstraints {
     SparseMatrix B(entries() + static_cast<Index>(constraints.size()), size());
     B.reserve(Eigen::VectorXi::Constant(B.rows(), static_cast<int>(mr_ + mc_)));
     for_rows(rows_, [&](Index s) {
-      for (Index k = begin(s); k < begin(s + 1); ++k) {
+      for (const Index k : pattern_.entries(s)) {
         for (Index j = 0; j < mr_; ++j)
           B.insert(k, s * mr_ + j) = std::sqrt(w[k]) * row_polynomial(k)[j];
         for (Index j = 0; j < mc_; ++j)
@@ -168,8 +168,8 @@ class ConsistencyConstraints {
     for (Index q = 0; q < cols_; ++q)
       for (Index j = 0; j < mc_; ++j) {
         const Index row = row_size() + q * mc_ + j;
-        start[row + 1] =
-            start[row] + static_cast<int>((node_begin(q + 1) - node_begin(q)) * mr_ + j + 1);
+        const auto points = static_cast<Index>(by_node_.rows.of(q).size());
+        start[row + 1] = start[row] + static_cast<int>(points * mr_ + j + 1);
       }
     int* index = S.innerIndexPtr();
     double* value = S.valuePtr();
@@ -177,7 +177,7 @@ class ConsistencyConstraints {
       for (Index j = 0; j < mr_; ++j)
         for (Index i = 0; i <= j; ++i) {
           double sum = 0.0;
-          for (Index k = begin(s); k < begin(s + 1); ++k)
+          for (const Index k : pattern_.entries(s))
             sum += weight[k] * row_polynomial(k)[i] * row_polynomial(k)[j];
           const Index slot = start[s * mr_ + j] + i;
           index[slot] = static_cast<int>(s * mr_ + i);
@@ -187,17 +187,17 @@ class ConsistencyConstraints {
     for_rows(cols_, [&](Index q) {
       for (Index j = 0; j < mc_; ++j) {
         Index slot = start[row_size() + q * mc_ + j];
-        for (Index t = node_begin(q); t < node_begin(q + 1); ++t) {
+        for (const Index t : by_node_.rows.entries(q)) {
           const Index k = entry(t);
           const double scale = weight[k] * column_polynomial(k)[j];
           for (Index i = 0; i < mr_; ++i, ++slot) {
-            index[slot] = static_cast<int>(point_[static_cast<std::size_t>(t)] * mr_ + i);
+            index[slot] = static_cast<int>(by_node_.rows.column_at(t) * mr_ + i);
             value[slot] = scale * row_polynomial(k)[i];
           }
         }
         for (Index i = 0; i <= j; ++i, ++slot) {
           double sum = 0.0;
-          for (Index t = node_begin(q); t < node_begin(q + 1); ++t) {
+          for (const Index t : by_node_.rows.entries(q)) {
             const Index k = entry(t);
             sum += weight[k] * column_polynomial(k)[i] * column_polynomial(k)[j];
           }
@@ -210,11 +210,9 @@ class ConsistencyConstraints {
   }
 
  private:
-  [[nodiscard]] Index begin(Index s) const { return pattern_.start[static_cast<std::size_t>(s)]; }
-  [[nodiscard]] Index column(Index k) const { return pattern_.column[static_cast<std::size_t>(k)]; }
-  [[nodiscard]] Index node_begin(Index q) const { return node_start_[static_cast<std::size_t>(q)]; }
+  [[nodiscard]] Index column(Index k) const { return pattern_.column_at(k); }
   /// Position in the pattern of the t-th entry by nodes.
-  [[nodiscard]] Index entry(Index t) const { return node_entry_[static_cast<std::size_t>(t)]; }
+  [[nodiscard]] Index entry(Index t) const { return by_node_.entry[static_cast<std::size_t>(t)]; }
   [[nodiscard]] const double* row_polynomial(Index k) const { return row_value_.data() + k * mr_; }
   [[nodiscard]] const double* column_polynomial(Index k) const {
     return column_value_.data() + k * mc_;
@@ -248,21 +246,6 @@ class ConsistencyConstraints {
     return true;
   }
 
-  void transpose() {
-    node_start_.assign(static_cast<std::size_t>(cols_) + 1, 0);
-    for (const int q : pattern_.column) ++node_start_[static_cast<std::size_t>(q) + 1];
-    for (std::size_t q = 1; q < node_start_.size(); ++q) node_start_[q] += node_start_[q - 1];
-    node_entry_.resize(pattern_.column.size());
-    point_.resize(pattern_.column.size());
-    std::vector<Index> next = node_start_;
-    for (Index s = 0; s < rows_; ++s)
-      for (Index k = begin(s); k < begin(s + 1); ++k) {
-        const auto t = static_cast<std::size_t>(next[static_cast<std::size_t>(column(k))]++);
-        node_entry_[t] = k;
-        point_[t] = s;
-      }
-  }
-
   void targets(const Particles<D>& particles) {
     column_target_.setZero(cols_ * mc_, D);
     for (Index q = 0; q < cols_; ++q)
@@ -279,8 +262,8 @@ class ConsistencyConstraints {
   std::vector<std::array<int, D>> row_exponents_, column_exponents_;
   Index mr_, mc_, rows_, cols_;
   std::vector<double> row_value_, column_value_;
-  std::vector<Index> node_start_, node_entry_, point_;  // the pattern by nodes
-  Eigen::MatrixXd column_target_;                       // (N·m_c)×d
+  ByColumns by_node_;
+  Eigen::MatrixXd column_target_;  // (N·m_c)×d
 };
 
 }  // namespace tlsph

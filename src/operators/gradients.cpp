@@ -2,46 +2,28 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
-#include <map>
-#include <span>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
-#include "moving_fit.hpp"
+#include "support.hpp"
 #include "tlsph/core/error.hpp"
+#include "tlsph/particles/delaunay.hpp"
 
 namespace tlsph {
 namespace {
 
-/// Reciprocal condition below which a moment matrix counts as singular, and the one that a row
-/// whose radius is chosen here should have.
-constexpr double singular = 1e-10, well_conditioned = 1e-7;
-/// A row that its nodes do not determine takes those of a radius larger by this ratio, and again,
-/// up to so many times the support.
-constexpr double ratio = 1.1, widest = 2.5;
-
-/// `X` as words.
-template <int D>
-std::string words_of(const Vector<D>& X) {
-  std::string words;
-  for (int a = 0; a < D; ++a) words += fmt::format("{}{:.6g}", a == 0 ? "" : ", ", X[a]);
-  return words;
-}
-
-template <int D>
-VectorField<D> only(const VectorField<D>& X, Index row) {
-  return X.row(row);
-}
+/// Reciprocal condition below which a moment matrix counts as singular.
+constexpr double singular = 1e-10;
 
 /// Whether the arms to the nodes within h span the space, none of its directions nearly missing.
 template <int D>
 bool spans(const VectorField<D>& X, Index p, double h) {
   constexpr double clear = 1e-2;
+  const VectorField<D> point = X.row(p);
   Tensor<D> moment = Tensor<D>::Zero();
-  for (const int q : find_neighbours<D>(only<D>(X, p), X, h).column) {
+  for (const int q : find_neighbours<D>(point, X, h).column) {
     const Vector<D> arm = (X.row(q) - X.row(p)).transpose() / h;
     moment += arm * arm.transpose();
   }
@@ -51,100 +33,55 @@ bool spans(const VectorField<D>& X, Index p, double h) {
 template <int D>
 [[noreturn]] void too_few_neighbours(const Neighbours& near, const VectorField<D>& X, Index p,
                                      double h) {
-  constexpr double margin = 1.05;  // within the rim, where the kernel is zero
+  constexpr double margin = 1.05;              // within the rim, where the kernel is zero
+  constexpr double ratio = 1.1, widest = 2.5;  // of the supports that are tried
   std::string cure = "a thicker body or a finer spacing";
   for (double times = ratio; times <= widest; times *= ratio)
     if (spans<D>(X, p, times * h / margin)) {
       cure = fmt::format("a support {:.2f} times as large", times);
       break;
     }
+  const Vector<D> at = X.row(p).transpose();
   throw InputError(
-      fmt::format("kernel.support: the {} neighbours of the particle at ({}) within "
+      fmt::format("kernel.support: the {} neighbours of the particle at ({:.6g}) within "
                   "{:.6g} m do not determine a gradient; choose {}",
-                  near.of(p).size(), words_of<D>(X.row(p).transpose()), h, cure));
+                  near.of(p).size(), fmt::join(at.data(), at.data() + D, ", "), h, cure));
 }
 
-/// ∇_p W(X_p − X_q); zero for the particle itself.
-template <int D, class Family>
-Vector<D> kernel_gradient(const Family& family, const Vector<D>& difference, double h) {
-  const double r = difference.norm();
-  if (r == 0.0) return Vector<D>::Zero();
-  return kernel_first<D>(family, r, h) / r * difference;
-}
-
-/// Calls `entry(k, q, X_p − X_q)` for the entries of row p.
-template <int D, class Entry>
-void for_row(const Neighbours& near, const VectorField<D>& points, const VectorField<D>& X, Index p,
-             const Entry& entry) {
-  for (Index k = near.start[static_cast<std::size_t>(p)];
-       k < near.start[static_cast<std::size_t>(p) + 1]; ++k) {
-    const Index q = near.column[static_cast<std::size_t>(k)];
-    const Vector<D> difference = (points.row(p) - X.row(q)).transpose();
-    entry(k, q, difference);
+/// ∇W at the nodes around p, with Shepard's constant correction (53), (57) in `mixed`:
+/// (∇W − γ W)/Σ V W, γ = Σ V ∇W / Σ V W.
+template <int D>
+std::vector<Vector<D>> slopes(const Support<D>& support, const ScalarField& V, bool mixed) {
+  std::vector<Vector<D>> slope(support.nodes.size());
+  double sum = 0.0;
+  Vector<D> gamma = Vector<D>::Zero();
+  for (std::size_t k = 0; k < slope.size(); ++k) {
+    slope[k] = support.slope(k);
+    const double volume = V[support.nodes[k]];
+    sum += volume * support.value[static_cast<Index>(k)];
+    gamma += volume * slope[k];
   }
+  if (!mixed) return slope;
+  gamma /= sum;
+  for (std::size_t k = 0; k < slope.size(); ++k)
+    slope[k] = (slope[k] - gamma * support.value[static_cast<Index>(k)]) / sum;
+  return slope;
 }
 
 template <int D>
-void store(std::vector<double>& weights, Index k, const Vector<D>& value) {
-  for (int a = 0; a < D; ++a) weights[static_cast<std::size_t>(k * D + a)] = value[a];
-}
+using Row = std::vector<std::pair<int, Vector<D>>>;
 
-/// The nodes around a point and D weights for each.
-struct FittedRow {
-  std::vector<int> nodes;
-  std::vector<double> weights;
-};
-
-/// The fits at the points `open`, each over no more nodes than a well-conditioned one needs. All
-/// points that are left share the search of a radius.
-template <int D, class Family>
-std::map<Index, FittedRow> wider_rows(const MovingFit<D, Family>& fit, const VectorField<D>& points,
-                                      const VectorField<D>& X, std::vector<Index> open, double h) {
-  std::map<Index, FittedRow> rows;
-  for (const double least : {well_conditioned, singular})
-    for (double times = ratio; times <= widest && !open.empty(); times *= ratio) {
-      const Neighbours near = find_neighbours<D>(points(open, Eigen::all), X, times * h);
-      std::vector<Index> left;
-      for (std::size_t k = 0; k < open.size(); ++k) {
-        const std::span<const int> nodes = near.of(static_cast<Index>(k));
-        FittedRow row{{nodes.begin(), nodes.end()}, std::vector<double>(nodes.size() * D)};
-        if (fit.weights(open[k], nodes, times * h, least, row.weights.data()))
-          rows.emplace(open[k], std::move(row));
-        else
-          left.push_back(open[k]);
-      }
-      open = std::move(left);
-    }
-  if (!open.empty())
-    throw InputError(
-        fmt::format("kernel.order: the nodes around ({}) do not determine a polynomial "
-                    "of degree {}; choose a thicker body, a finer spacing or a lower "
-                    "degree",
-                    words_of<D>(points.row(open.front()).transpose()), fit.degree()));
-  return rows;
-}
-
-/// The operator of the rows of `near`, those of `wider` in their places.
-template <int D>
-VectorOperator<D> merged(Index cols, const Neighbours& near, const std::vector<double>& weights,
-                         const std::map<Index, FittedRow>& wider) {
-  Neighbours pattern;
-  std::vector<double> values;
-  pattern.start.push_back(0);
-  const auto append = [&](std::span<const int> nodes, std::span<const double> of_nodes) {
-    pattern.column.insert(pattern.column.end(), nodes.begin(), nodes.end());
-    values.insert(values.end(), of_nodes.begin(), of_nodes.end());
-    pattern.start.push_back(pattern.size());
-  };
-  for (Index s = 0; s < near.rows(); ++s) {
-    const auto found = wider.find(s);
-    const auto first = static_cast<std::size_t>(near.start[static_cast<std::size_t>(s)] * D);
-    if (found == wider.end())
-      append(near.of(s), std::span(weights).subspan(first, near.of(s).size() * D));
-    else
-      append(found->second.nodes, found->second.weights);
+/// Mean over the polygon of those nodes, counter-clockwise: ∮ f n dS along its straight edges, over
+/// its area.
+Row<2> mean_gradient(const VectorField<2>& X, std::span<const int> nodes, double area) {
+  const std::size_t n = nodes.size();
+  Row<2> row;
+  for (std::size_t k = 0; k < n; ++k) {
+    const auto next = X.row(nodes[(k + 1) % n]), last = X.row(nodes[(k + n - 1) % n]);
+    const Vector<2> weight(0.5 * (next[1] - last[1]), -0.5 * (next[0] - last[0]));
+    row.emplace_back(nodes[k], weight / area);
   }
-  return VectorOperator<D>(near.rows(), cols, std::move(pattern), std::move(values));
+  return row;
 }
 
 }  // namespace
@@ -153,35 +90,29 @@ template <int D>
 SparseMatrix kernel_matrix(const AnyKernel& kernel, double h, const VectorField<D>& X,
                            const ScalarField& V) {
   const Neighbours near = find_neighbours<D>(X, X, h);
-  SparseMatrix W(X.rows(), X.rows());
-  W.resizeNonZeros(near.size());
-  for (Index p = 0; p <= X.rows(); ++p)
-    W.outerIndexPtr()[p] = static_cast<int>(near.start[static_cast<std::size_t>(p)]);
-  std::visit(
-      [&](const auto& family) {
-        for (Index p = 0; p < X.rows(); ++p)
-          for_row<D>(near, X, X, p, [&](Index k, Index q, const Vector<D>& difference) {
-            W.innerIndexPtr()[k] = static_cast<int>(q);
-            W.valuePtr()[k] = V[q] * kernel_value<D>(family, difference.norm(), h);
-          });
-      },
-      kernel);
-  return W;
+  std::vector<double> values;
+  values.reserve(near.column.size());
+  for (Index p = 0; p < X.rows(); ++p) {
+    const Support<D> support(kernel, h, X.row(p).transpose(), near.of(p), X);
+    for (Index k = 0; k < support.size(); ++k)
+      values.push_back(V[support.nodes[static_cast<std::size_t>(k)]] * support.value[k]);
+  }
+  return matrix_of(near, X.rows(), [&](Index k) { return values[static_cast<std::size_t>(k)]; });
 }
 
 template <int D>
 VectorOperator<D> plain_gradient(const AnyKernel& kernel, double h, const VectorField<D>& X,
                                  const ScalarField& V) {
   Neighbours near = find_neighbours<D>(X, X, h);
-  std::vector<double> weights(near.column.size() * D);
-  std::visit(
-      [&](const auto& family) {
-        for (Index p = 0; p < X.rows(); ++p)
-          for_row<D>(near, X, X, p, [&](Index k, Index q, const Vector<D>& difference) {
-            store<D>(weights, k, V[q] * kernel_gradient<D>(family, difference, h));
-          });
-      },
-      kernel);
+  std::vector<double> weights;
+  weights.reserve(near.column.size() * D);
+  for (Index p = 0; p < X.rows(); ++p) {
+    const Support<D> support(kernel, h, X.row(p).transpose(), near.of(p), X);
+    for (std::size_t k = 0; k < support.nodes.size(); ++k) {
+      const Vector<D> weight = V[support.nodes[k]] * support.slope(k);
+      weights.insert(weights.end(), weight.data(), weight.data() + D);
+    }
+  }
   return VectorOperator<D>(X.rows(), X.rows(), std::move(near), std::move(weights));
 }
 
@@ -190,73 +121,44 @@ VectorOperator<D> collocated_gradient(const AnyKernel& kernel, double h, const V
                                       const ScalarField& V, Correction correction) {
   if (correction == Correction::least_squares) return point_gradient<D>(kernel, h, X, X);
   Neighbours near = find_neighbours<D>(X, X, h);
-  std::vector<double> weights(near.column.size() * D);
-  std::visit(
-      [&](const auto& family) {
-        for (Index p = 0; p < X.rows(); ++p) {
-          // Shepard's constant correction (53), (57): γ = Σ V ∇W / Σ V W; zero for the others.
-          double sum = 1.0;
-          Vector<D> gamma = Vector<D>::Zero();
-          if (correction == Correction::mixed) {
-            sum = 0.0;
-            for_row<D>(near, X, X, p, [&](Index, Index q, const Vector<D>& difference) {
-              sum += V[q] * kernel_value<D>(family, difference.norm(), h);
-              gamma += V[q] * kernel_gradient<D>(family, difference, h);
-            });
-            gamma /= sum;
-          }
-          const auto gradient = [&](const Vector<D>& difference) -> Vector<D> {
-            Vector<D> plain = kernel_gradient<D>(family, difference, h);
-            if (correction != Correction::mixed) return plain;
-            return (plain - gamma * kernel_value<D>(family, difference.norm(), h)) / sum;
-          };
-          // L = (Σ V ∇W ⊗ (X_q − X_p))⁻¹, (45) and (58).
-          Tensor<D> L = Tensor<D>::Identity();
-          if (correction != Correction::none) {
-            Tensor<D> moment = Tensor<D>::Zero();
-            for_row<D>(near, X, X, p, [&](Index, Index q, const Vector<D>& difference) {
-              moment -= V[q] * gradient(difference) * difference.transpose();
-            });
-            if (!is_regular<D>(moment, 1.0, singular)) too_few_neighbours<D>(near, X, p, h);
-            L = moment.inverse();
-          }
-          Vector<D> others = Vector<D>::Zero();
-          Index self = -1;
-          for_row<D>(near, X, X, p, [&](Index k, Index q, const Vector<D>& difference) {
-            if (q == p) {
-              self = k;
-              return;
-            }
-            const Vector<D> weight = V[q] * L * gradient(difference);
-            others += weight;
-            store<D>(weights, k, weight);
-          });
-          store<D>(weights, self, -others);
-        }
-      },
-      kernel);
+  std::vector<double> weights;
+  weights.reserve(near.column.size() * D);
+  for (Index p = 0; p < X.rows(); ++p) {
+    const Support<D> support(kernel, h, X.row(p).transpose(), near.of(p), X);
+    std::vector<Vector<D>> row = slopes<D>(support, V, correction == Correction::mixed);
+    // L = (Σ V ∇W ⊗ (X_q − X_p))⁻¹, (45) and (58).
+    Tensor<D> L = Tensor<D>::Identity();
+    if (correction != Correction::none) {
+      const Tensor<D> moment = support.moment(row, V);
+      if (!is_regular<D>(moment, 1.0, singular)) too_few_neighbours<D>(near, X, p, h);
+      L = moment.inverse();
+    }
+    support.weigh(row, L, V);
+    support.close(row, p);
+    for (const Vector<D>& weight : row)
+      weights.insert(weights.end(), weight.data(), weight.data() + D);
+  }
   return VectorOperator<D>(X.rows(), X.rows(), std::move(near), std::move(weights));
 }
 
 template <int D>
-VectorOperator<D> point_gradient(const AnyKernel& kernel, double h, const VectorField<D>& points,
-                                 const VectorField<D>& X, int order) {
-  return std::visit(
-      [&](const auto& family) {
-        const MovingFit<D, std::decay_t<decltype(family)>> fit(family, points, X, order);
-        Neighbours near = find_neighbours<D>(points, X, h);
-        std::vector<double> weights(near.column.size() * D);
-        std::vector<Index> open;
-        for (Index s = 0; s < points.rows(); ++s) {
-          const Index first = near.start[static_cast<std::size_t>(s)];
-          if (!fit.weights(s, near.of(s), h, singular, weights.data() + first * D))
-            open.push_back(s);
-        }
-        if (!open.empty())
-          return merged<D>(X.rows(), near, weights, wider_rows<D>(fit, points, X, open, h));
-        return VectorOperator<D>(points.rows(), X.rows(), std::move(near), std::move(weights));
-      },
-      kernel);
+VectorOperator<D> cell_gradient(const Particles<D>& particles, const MaterialPoints<D>& points) {
+  OperatorRows rows;
+  rows.reserve(static_cast<std::size_t>(points.size()), std::size_t{1} << D, D);
+  Index s = 0;
+  for (const Cell<D>& cell : particles.cells) {
+    const double volume = points.V[s++];
+    if constexpr (D == 1)
+      rows.add_row(Row<1>{{cell[0], Vector<1>(-1.0 / volume)}, {cell[1], Vector<1>(1.0 / volume)}});
+    else
+      rows.add_row(mean_gradient(particles.X, cell, volume));
+  }
+  if constexpr (D == 2)
+    for (const auto& [a, b, left, right] : edges_of(particles.triangles)) {
+      const auto corners = right < 0 ? std::vector{a, b, left} : std::vector{a, right, b, left};
+      rows.add_row(mean_gradient(particles.X, corners, 3.0 * points.V[s++]));
+    }
+  return VectorOperator<D>(std::move(rows), particles.size());
 }
 
 #define TLSPH_INSTANTIATE(D)                                                                    \
@@ -266,10 +168,7 @@ VectorOperator<D> point_gradient(const AnyKernel& kernel, double h, const Vector
                                                const ScalarField&);                             \
   template VectorOperator<D> collocated_gradient<D>(                                            \
       const AnyKernel&, double, const VectorField<D>&, const ScalarField&, Correction);         \
-  template VectorOperator<D> point_gradient<D>(const AnyKernel&, double, const VectorField<D>&, \
-                                               const VectorField<D>&, int);
-TLSPH_INSTANTIATE(1)
-TLSPH_INSTANTIATE(2)
-#undef TLSPH_INSTANTIATE
+  template VectorOperator<D> cell_gradient<D>(const Particles<D>&, const MaterialPoints<D>&);
+TLSPH_FOR_DIMENSIONS(TLSPH_INSTANTIATE)
 
 }  // namespace tlsph

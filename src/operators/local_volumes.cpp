@@ -10,16 +10,14 @@
 #include <utility>
 #include <vector>
 
-#include "tlsph/kernels/families.hpp"
+#include "support.hpp"
 #include "tlsph/linear/factorization.hpp"
 #include "tlsph/operators/neighbours.hpp"
 #include "tlsph/particles/boundary_runs.hpp"
-#include "tlsph/particles/moments.hpp"
 
 namespace tlsph {
 namespace {
 
-constexpr int degree = 2;
 /// Least and largest volumes that are tried in turn, as shares of what lies nearest to a node.
 constexpr std::array shares = {std::pair{0.44, 1.4}, std::pair{0.3, 2.0}, std::pair{0.2, 3.0},
                                std::pair{0.1, 10.0}};
@@ -106,41 +104,35 @@ void add_segments(const Particles<2>& particles, std::vector<RulePoint<2>>& rule
 /// Σ φ_q p(X_q) = p(X_g) for quadratic p, so φ_q = k_q p_q·c.
 template <int D>
 class Fit {
-  static constexpr int terms = D == 1 ? degree + 1 : (degree + 1) * (degree + 2) / 2;
-  using Polynomial = Eigen::Matrix<double, terms, 1>;
+  using Polynomial = typename Support<D>::Polynomial;
 
  public:
-  Fit(const RulePoint<D>& point, const int* near, Index count, const VectorField<D>& X, double h)
-      : near_(near, near + count), weight_(point.weight), kernel_(count) {
-    static const auto exponents = monomials<D>(degree);
-    values_.resize(terms, count);
-    for (Index k = 0; k < count; ++k) {
-      const Vector<D> arm = X.row(near[k]).transpose() - point.X;
-      kernel_[k] = kernel_value<D>(WendlandC2{}, arm.norm(), h);
-      values_.col(k) = monomial_values<D>(exponents, Vector<D>(arm / h));
-    }
-    moment_.compute(values_ * kernel_.asDiagonal() * values_.transpose());
+  Fit(const RulePoint<D>& point, std::span<const int> near, const VectorField<D>& X, double h)
+      : weight_(point.weight), support_(kernel, h, point.X, near, X) {
+    values_ = support_.quadratics(h);
+    moment_.compute(values_ * support_.value.asDiagonal() * values_.transpose());
   }
 
   void add_to(ScalarField& V) const { add(weight_ * moment_.solve(Polynomial::Unit(0)), V); }
   /// What a term −μ φ_q in the sum above changes, for μ = 1: w (k_q δ_qr − k_q p_q·M⁻¹ p_r k_r).
   void add_response(int q, Eigen::SparseVector<double>& V) const {
-    const Index r = std::ranges::lower_bound(near_, q) - near_.begin();
-    V.coeffRef(q) += weight_ * kernel_[r];
-    add(-weight_ * kernel_[r] * moment_.solve(values_.col(r)), V);
+    const Index r = std::ranges::lower_bound(support_.nodes, q) - support_.nodes.begin();
+    V.coeffRef(q) += weight_ * support_.value[r];
+    add(-weight_ * support_.value[r] * moment_.solve(values_.col(r)), V);
   }
 
  private:
   template <class Vector>
   void add(const Polynomial& c, Vector& V) const {
-    for (Index k = 0; k < kernel_.size(); ++k)
-      V.coeffRef(near_[static_cast<std::size_t>(k)]) += kernel_[k] * c.dot(values_.col(k));
+    for (Index k = 0; k < support_.size(); ++k)
+      V.coeffRef(support_.nodes[static_cast<std::size_t>(k)]) +=
+          support_.value[k] * c.dot(values_.col(k));
   }
-  std::span<const int> near_;  // ascending
+  static inline const AnyKernel kernel = WendlandC2{};
   double weight_;
-  Eigen::VectorXd kernel_;
-  Eigen::Matrix<double, terms, Eigen::Dynamic> values_;
-  Eigen::LDLT<Eigen::Matrix<double, terms, terms>> moment_;
+  Support<D> support_;
+  Eigen::Matrix<double, Support<D>::terms, Eigen::Dynamic> values_;
+  Eigen::LDLT<typename Support<D>::Moment> moment_;
 };
 
 /// V + Σ_r μ_r R_r that lies between the bounds, μ > 0 where it is at the lower one, μ < 0 at the
@@ -211,8 +203,7 @@ ScalarField local_volumes(const Particles<D>& particles) {
   const double h = volume_support * particles.spacing;
   const Neighbours near = find_neighbours<D>(at, particles.X, h);
   const auto fit = [&](std::size_t g) {
-    return Fit<D>(rule[g], near.column.data() + near.start[g], near.start[g + 1] - near.start[g],
-                  particles.X, h);
+    return Fit<D>(rule[g], near.of(static_cast<Index>(g)), particles.X, h);
   };
   ScalarField V = ScalarField::Zero(particles.size());
   for (std::size_t g = 0; g < rule.size(); ++g) fit(g).add_to(V);
@@ -220,9 +211,7 @@ ScalarField local_volumes(const Particles<D>& particles) {
   const Neighbours reached = find_neighbours<D>(particles.X, at, h);
   const auto response = [&](int q) -> Eigen::SparseVector<double> {
     Eigen::SparseVector<double> R(particles.size());
-    const auto row = static_cast<std::size_t>(q);
-    for (Index k = reached.start[row]; k < reached.start[row + 1]; ++k)
-      fit(static_cast<std::size_t>(reached.column[static_cast<std::size_t>(k)])).add_response(q, R);
+    for (const int g : reached.of(q)) fit(static_cast<std::size_t>(g)).add_response(q, R);
     return R;
   };
   for (const auto& [least, largest] : shares)
@@ -231,7 +220,7 @@ ScalarField local_volumes(const Particles<D>& particles) {
   return particles.V;
 }
 
-template ScalarField local_volumes<1>(const Particles<1>&);
-template ScalarField local_volumes<2>(const Particles<2>&);
+#define TLSPH_INSTANTIATE(D) template ScalarField local_volumes<D>(const Particles<D>&);
+TLSPH_FOR_DIMENSIONS(TLSPH_INSTANTIATE)
 
 }  // namespace tlsph

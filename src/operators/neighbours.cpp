@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <nanoflann.hpp>
+#include <numeric>
 #include <utility>
 
 namespace tlsph {
@@ -52,7 +53,27 @@ Neighbours find_neighbours(const VectorField<D>& points, const VectorField<D>& n
   return result;
 }
 
-template Neighbours find_neighbours<1>(const VectorField<1>&, const VectorField<1>&, double);
-template Neighbours find_neighbours<2>(const VectorField<2>&, const VectorField<2>&, double);
+ByColumns by_columns(const Neighbours& pattern, Index columns) {
+  ByColumns result;
+  std::vector<Index>& start = result.rows.start;
+  start.assign(static_cast<std::size_t>(columns) + 1, 0);
+  for (const int q : pattern.column) ++start[static_cast<std::size_t>(q) + 1];
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  result.rows.column.resize(pattern.column.size());
+  result.entry.resize(pattern.column.size());
+  std::vector<Index> next = start;
+  for (Index s = 0; s < pattern.rows(); ++s)
+    for (const Index k : pattern.entries(s)) {
+      const auto place =
+          static_cast<std::size_t>(next[static_cast<std::size_t>(pattern.column_at(k))]++);
+      result.rows.column[place] = static_cast<int>(s);
+      result.entry[place] = k;
+    }
+  return result;
+}
+
+#define TLSPH_INSTANTIATE(D) \
+  template Neighbours find_neighbours<D>(const VectorField<D>&, const VectorField<D>&, double);
+TLSPH_FOR_DIMENSIONS(TLSPH_INSTANTIATE)
 
 }  // namespace tlsph

@@ -55,13 +55,13 @@ Vector<D> differences_row(const SparseMatrix& A, Index p, const VectorField<D>& 
   return sum;
 }
 
-template Vector<1> differences_row<1>(const SparseMatrix&, Index, const VectorField<1>&);
-template Vector<2> differences_row<2>(const SparseMatrix&, Index, const VectorField<2>&);
-template void multiply<1>(const SparseMatrix&, const VectorField<1>&, VectorField<1>&);
-template void multiply<2>(const SparseMatrix&, const VectorField<2>&, VectorField<2>&);
-template void multiply_differences<1>(const SparseMatrix&, const VectorField<1>&, VectorField<1>&);
-template void multiply_differences<2>(const SparseMatrix&, const VectorField<2>&, VectorField<2>&);
-template void subtract_differences<1>(const SparseMatrix&, const VectorField<1>&, VectorField<1>&);
-template void subtract_differences<2>(const SparseMatrix&, const VectorField<2>&, VectorField<2>&);
+#define TLSPH_INSTANTIATE(D)                                                                \
+  template Vector<D> differences_row<D>(const SparseMatrix&, Index, const VectorField<D>&); \
+  template void multiply<D>(const SparseMatrix&, const VectorField<D>&, VectorField<D>&);   \
+  template void multiply_differences<D>(const SparseMatrix&, const VectorField<D>&,         \
+                                        VectorField<D>&);                                   \
+  template void subtract_differences<D>(const SparseMatrix&, const VectorField<D>&,         \
+                                        VectorField<D>&);
+TLSPH_FOR_DIMENSIONS(TLSPH_INSTANTIATE)
 
 }  // namespace tlsph

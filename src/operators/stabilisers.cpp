@@ -6,6 +6,24 @@
 #include <vector>
 
 namespace tlsph {
+namespace {
+
+/// Gives both triangles of a matrix with a symmetric pattern their mean, in place.
+void symmetrise(SparseMatrix& matrix) {
+  const int* start = matrix.outerIndexPtr();
+  // In row q the entries left of the diagonal come up in the order of the rows p above it.
+  std::vector<int> next(start, start + matrix.rows());
+  for (Index p = 0; p < matrix.rows(); ++p)
+    for (int k = start[p]; k < start[p + 1]; ++k) {
+      const int q = matrix.innerIndexPtr()[k];
+      if (q <= p) continue;
+      double& upper = matrix.valuePtr()[k];
+      double& lower = matrix.valuePtr()[next[static_cast<std::size_t>(q)]++];
+      upper = lower = 0.5 * (upper + lower);
+    }
+}
+
+}  // namespace
 
 template <int D>
 SparseMatrix pair_stabiliser(const VectorOperator<D>& gradient, const VectorField<D>& X,
@@ -20,9 +38,7 @@ SparseMatrix pair_stabiliser(const VectorOperator<D>& gradient, const VectorFiel
   std::array<std::vector<Eigen::Triplet<double>>, D> mean;
   std::vector<double> stiffness;
   for (Index p = 0; p < N; ++p)
-    for (Index k = near.start[static_cast<std::size_t>(p)];
-         k < near.start[static_cast<std::size_t>(p) + 1]; ++k) {
-      const Index q = near.column[static_cast<std::size_t>(k)];
+    for (const Index q : near.of(p)) {
       if (q <= p) continue;
       const auto pair = static_cast<int>(stiffness.size());
       const Vector<D> arm = (X.row(q) - X.row(p)).transpose();
@@ -54,10 +70,9 @@ std::vector<double> hourglass_weights(const Particles<2>& particles,
     const Cell<2>& cell = particles.cells[s];
     Vector<2> moment = Vector<2>::Zero();
     for (std::size_t c = 0; c < 4; ++c) moment += h[c] * particles.X.row(cell[c]).transpose();
-    for (Index k = gradient.pattern().start[s]; k < gradient.pattern().start[s + 1]; ++k) {
-      const int q = gradient.pattern().column[static_cast<std::size_t>(k)];
+    for (const Index k : gradient.pattern().entries(static_cast<Index>(s))) {
       const auto corner = static_cast<std::size_t>(
-          std::distance(cell.begin(), std::find(cell.begin(), cell.end(), q)));
+          std::ranges::find(cell, gradient.pattern().column_at(k)) - cell.begin());
       weights[static_cast<std::size_t>(k)] = 0.25 * (h[corner] - gradient.weight(k, 0) * moment[0] -
                                                      gradient.weight(k, 1) * moment[1]);
     }
@@ -71,25 +86,6 @@ SparseMatrix hourglass_rows(const Particles<2>& particles, const VectorOperator<
   return rows;
 }
 
-namespace {
-
-/// Gives both triangles of a matrix with a symmetric pattern their mean, in place.
-void symmetrise(SparseMatrix& matrix) {
-  const int* start = matrix.outerIndexPtr();
-  // In row q the entries left of the diagonal come up in the order of the rows p above it.
-  std::vector<int> next(start, start + matrix.rows());
-  for (Index p = 0; p < matrix.rows(); ++p)
-    for (int k = start[p]; k < start[p + 1]; ++k) {
-      const int q = matrix.innerIndexPtr()[k];
-      if (q <= p) continue;
-      double& upper = matrix.valuePtr()[k];
-      double& lower = matrix.valuePtr()[next[static_cast<std::size_t>(q)]++];
-      upper = lower = 0.5 * (upper + lower);
-    }
-}
-
-}  // namespace
-
 SparseMatrix normal_matrix(const SparseMatrix& rows, const ScalarField& kappa) {
   SparseMatrix result = SparseMatrix(rows.transpose()) * SparseMatrix(kappa.asDiagonal() * rows);
   result.makeCompressed();
@@ -98,9 +94,9 @@ SparseMatrix normal_matrix(const SparseMatrix& rows, const ScalarField& kappa) {
   return result;
 }
 
-template SparseMatrix pair_stabiliser<1>(const VectorOperator<1>&, const VectorField<1>&,
-                                         const ScalarField&, double, const ScalarField&);
-template SparseMatrix pair_stabiliser<2>(const VectorOperator<2>&, const VectorField<2>&,
-                                         const ScalarField&, double, const ScalarField&);
+#define TLSPH_INSTANTIATE(D)                                                                \
+  template SparseMatrix pair_stabiliser<D>(const VectorOperator<D>&, const VectorField<D>&, \
+                                           const ScalarField&, double, const ScalarField&);
+TLSPH_FOR_DIMENSIONS(TLSPH_INSTANTIATE)
 
 }  // namespace tlsph

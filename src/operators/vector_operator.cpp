@@ -7,41 +7,23 @@
 #include "tlsph/operators/row_storage.hpp"
 
 namespace tlsph {
+
 template <int D>
-VectorOperator<D>::VectorOperator(Index rows, Index cols, Neighbours pattern,
-                                  std::vector<double> weights)
-    : rows_(rows), cols_(cols), pattern_(std::move(pattern)), weights_(std::move(weights)) {
-  assert(pattern_.rows() == rows_);
+VectorOperator<D>::VectorOperator(OperatorRows rows, Index cols)
+    : rows_(rows.pattern.rows()),
+      cols_(cols),
+      pattern_(std::move(rows.pattern)),
+      weights_(std::move(rows.weights)) {
   const auto entries = pattern_.column.size();
   stride_ = entries == 0 ? D : static_cast<Index>(weights_.size() / entries);
   assert(stride_ == D || stride_ == D * D);
 }
 
 template <int D>
-VectorOperator<D>::VectorOperator(std::span<const SparseMatrix> directions)
-    : rows_(directions[0].rows()), cols_(directions[0].cols()) {
-  assert(directions.size() == D);
-  SparseMatrix everywhere(rows_, cols_);
-  for (const SparseMatrix& matrix : directions) {
-    SparseMatrix ones = matrix;
-    for (Index k = 0; k < ones.nonZeros(); ++k) ones.valuePtr()[k] = 1.0;
-    everywhere += ones;
-  }
-  everywhere.makeCompressed();
-  pattern_.start.assign(everywhere.outerIndexPtr(), everywhere.outerIndexPtr() + rows_ + 1);
-  pattern_.column.assign(everywhere.innerIndexPtr(),
-                         everywhere.innerIndexPtr() + everywhere.nonZeros());
-  weights_.assign(pattern_.column.size() * D, 0.0);
-  for (int a = 0; a < D; ++a) {
-    const SparseMatrix& matrix = directions[static_cast<std::size_t>(a)];
-    for (Index s = 0; s < rows_; ++s) {
-      Index k = pattern_.start[static_cast<std::size_t>(s)];
-      for (SparseMatrix::InnerIterator it(matrix, s); it; ++it) {
-        while (pattern_.column[static_cast<std::size_t>(k)] != it.col()) ++k;
-        weights_[static_cast<std::size_t>(k * D + a)] = it.value();
-      }
-    }
-  }
+VectorOperator<D>::VectorOperator([[maybe_unused]] Index rows, Index cols, Neighbours pattern,
+                                  std::vector<double> weights)
+    : VectorOperator(OperatorRows{std::move(pattern), std::move(weights)}, cols) {
+  assert(rows_ == rows);
 }
 
 template <int D>
@@ -116,50 +98,31 @@ void VectorOperator<D>::divergence_row(Index q, const TensorField<D>& P, VectorF
 
 template <int D>
 SparseMatrix VectorOperator<D>::matrix(int direction, int component) const {
-  SparseMatrix result(rows_, cols_);
-  result.resizeNonZeros(nonzeros());
-  for (Index s = 0; s <= rows_; ++s)
-    result.outerIndexPtr()[s] = static_cast<int>(pattern_.start[static_cast<std::size_t>(s)]);
-  for (Index k = 0; k < nonzeros(); ++k) {
-    result.innerIndexPtr()[k] = pattern_.column[static_cast<std::size_t>(k)];
-    result.valuePtr()[k] = weight(k, direction, component);
-  }
-  return result;
+  return matrix_of(pattern_, cols_, [&](Index k) { return weight(k, direction, component); });
 }
 
 template <int D>
 VectorOperator<D> VectorOperator<D>::negative_adjoint(const ScalarField& row_volumes) const {
   assert(row_volumes.size() == rows_);
-  Neighbours transposed;
-  transposed.start.assign(static_cast<std::size_t>(cols_) + 1, 0);
-  for (int q : pattern_.column) ++transposed.start[static_cast<std::size_t>(q) + 1];
-  for (std::size_t q = 1; q < transposed.start.size(); ++q)
-    transposed.start[q] += transposed.start[q - 1];
-  transposed.column.resize(pattern_.column.size());
-  std::vector<double> weights(weights_.size());
-  std::vector<Index> next(transposed.start.begin(), transposed.start.end() - 1);
-  for (Index s = 0; s < rows_; ++s) {
-    const auto row = static_cast<std::size_t>(s);
-    for (Index k = pattern_.start[row]; k < pattern_.start[row + 1]; ++k) {
-      const auto q = static_cast<std::size_t>(pattern_.column[static_cast<std::size_t>(k)]);
-      const Index place = next[q]++;
-      transposed.column[static_cast<std::size_t>(place)] = static_cast<int>(s);
-      for (Index c = 0; c < stride_; ++c)
-        weights[static_cast<std::size_t>(place * stride_ + c)] =
-            -row_volumes[s] * weights_[static_cast<std::size_t>(k * stride_ + c)];
-    }
+  ByColumns transposed = by_columns(pattern_, cols_);
+  std::vector<double> weights;
+  weights.reserve(weights_.size());
+  for (std::size_t t = 0; t < transposed.entry.size(); ++t) {
+    const double factor = -row_volumes[transposed.rows.column[t]];
+    for (Index c = 0; c < stride_; ++c)
+      weights.push_back(factor *
+                        weights_[static_cast<std::size_t>(transposed.entry[t] * stride_ + c)]);
   }
-  return VectorOperator(cols_, rows_, std::move(transposed), std::move(weights));
+  return VectorOperator(cols_, rows_, std::move(transposed.rows), std::move(weights));
 }
 
 template <int D>
 VectorOperator<D> VectorOperator<D>::row_scaled(const ScalarField& scale) const {
   VectorOperator result = *this;
-  for (Index s = 0; s < rows_; ++s) {
-    const auto row = static_cast<std::size_t>(s);
-    for (Index k = pattern_.start[row] * stride_; k < pattern_.start[row + 1] * stride_; ++k)
-      result.weights_[static_cast<std::size_t>(k)] *= scale[s];
-  }
+  for (Index s = 0; s < rows_; ++s)
+    for (const Index k : pattern_.entries(s))
+      for (Index c = 0; c < stride_; ++c)
+        result.weights_[static_cast<std::size_t>(k * stride_ + c)] *= scale[s];
   return result;
 }
 

@@ -8,7 +8,7 @@
 #include "memory.hpp"
 #include "preflight.hpp"
 #include "tlsph/core/dimensions.hpp"
-#include "tlsph/linear/factor_cost.hpp"
+#include "tlsph/linear/factorization.hpp"
 #include "tlsph/model/builder.hpp"
 #include "tlsph/operators/consistency.hpp"
 #include "tlsph/scene/names.hpp"

@@ -15,7 +15,7 @@
 #include "tlsph/core/stopwatch.hpp"
 #include "tlsph/core/thread_count.hpp"
 #include "tlsph/io/files.hpp"
-#include "tlsph/linear/blas_threads.hpp"
+#include "tlsph/linear/factorization.hpp"
 #include "tlsph/simulation/version.hpp"
 #include "waves.hpp"
 

@@ -18,7 +18,7 @@
 #include "tlsph/core/stopwatch.hpp"
 #include "tlsph/io/files.hpp"
 #include "tlsph/io/json.hpp"
-#include "tlsph/linear/blas_threads.hpp"
+#include "tlsph/linear/factorization.hpp"
 #include "tlsph/simulation/version.hpp"
 #include "tlsph/studies/figure.hpp"
 

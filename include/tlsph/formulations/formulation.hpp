@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "tlsph/operators/consistency.hpp"
-#include "tlsph/operators/correction.hpp"
+#include "tlsph/operators/gradients.hpp"
 
 namespace tlsph {
 
@@ -33,6 +33,10 @@ enum class StressSites { nodes, cells };
 /// solved for in each step, go with the four sides of a box, each with one displacement and a load
 /// normal to it, and with plain SPH sums.
 enum class Closure { natural, images, ghosts };
+/// How the formulation `thesis` closes its boundary: by the modified SPH matrix (2.46) with the
+/// coupling to the inner particles that is missing in print, the same as printed, or the η
+/// corrections (2.42), (2.45) in 1D.
+enum class GhostClosure { consistent, as_printed, eta };
 /// Which nodes it works on: a lattice with nodes on the boundary; all with nodes on the boundary;
 /// those at the centres of lattice cells too.
 enum class NodeSites { lattice, on_boundary, anywhere };

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "tlsph/formulations/extension.hpp"
-#include "tlsph/formulations/ghost_closure.hpp"
+#include "tlsph/formulations/formulation.hpp"
 #include "tlsph/linear/factorization.hpp"
 #include "tlsph/operators/lattice_stencil.hpp"
 #include "tlsph/operators/vector_operator.hpp"
@@ -62,15 +62,23 @@ class GhostGradient {
              Workspace& workspace) const;
 
   /// Kernel matrix and plain gradient over real nodes (first) and ghosts.
-  [[nodiscard]] const SparseMatrix& kernel_matrix() const;
-  [[nodiscard]] const VectorOperator<D>& plain_gradient() const;
-  [[nodiscard]] const GhostLattice<D>& lattice() const;
+  [[nodiscard]] const SparseMatrix& kernel_matrix() const { return W_; }
+  [[nodiscard]] const VectorOperator<D>& plain_gradient() const { return X_; }
+  [[nodiscard]] const GhostLattice<D>& lattice() const { return lattice_; }
   /// One line a system: name, size, factorisation and why, condition estimate.
   [[nodiscard]] std::vector<std::string> report() const;
   /// "cholmod", "umfpack" or "cholmod+umfpack".
   [[nodiscard]] std::string solver() const;
 
  private:
+  void assemble(const LatticeStencil<D>& stencil);
+  void close_by_systems(const Edges<D>& edges, SolverChoice solver, const Place& place);
+  void close_by_eta(const Edges<D>& edges);
+  void apply_eta(const std::vector<double>& signals, Workspace& work) const;
+
+  GhostLattice<D> lattice_;
+  SparseMatrix W_;
+  VectorOperator<D> X_;
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

@@ -182,6 +182,16 @@ struct WendlandC2 {
 using AnyKernel =
     std::variant<Lucy, CubicSpline, Gaussian, Mollifier, ModifiedMollifier, Quadratic, WendlandC2>;
 
+/// W and dW/dr of whichever family it is.
+template <int D>
+[[nodiscard]] double kernel_value(const AnyKernel& kernel, double r, double h) {
+  return std::visit([&](const auto& family) { return kernel_value<D>(family, r, h); }, kernel);
+}
+template <int D>
+[[nodiscard]] double kernel_first(const AnyKernel& kernel, double r, double h) {
+  return std::visit([&](const auto& family) { return kernel_first<D>(family, r, h); }, kernel);
+}
+
 /// The family a scene calls `name`; empty if there is none.
 [[nodiscard]] std::optional<AnyKernel> kernel_by_name(std::string_view name);
 

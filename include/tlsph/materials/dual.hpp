@@ -11,107 +11,86 @@ template <class R, int N = 1>
 struct Dual {
   R value;
   R change[N];
+
+  template <class Change>
+  [[gnu::always_inline]] static Dual of(const R& value, const Change& change) {
+    Dual result;
+    result.value = value;
+    for (int n = 0; n < N; ++n) result.change[n] = change(n);
+    return result;
+  }
+
+  [[gnu::always_inline]] friend Dual operator+(const Dual& a, const Dual& b) {
+    return of(R(a.value + b.value), [&](int n) { return a.change[n] + b.change[n]; });
+  }
+  [[gnu::always_inline]] friend Dual operator-(const Dual& a, const Dual& b) {
+    return of(R(a.value - b.value), [&](int n) { return a.change[n] - b.change[n]; });
+  }
+  [[gnu::always_inline]] friend Dual operator*(const Dual& a, const Dual& b) {
+    return of(R(a.value * b.value),
+              [&](int n) { return a.change[n] * b.value + a.value * b.change[n]; });
+  }
+  /// (a/b)' = (a' − (a/b) b')/b.
+  [[gnu::always_inline]] friend Dual operator/(const Dual& a, const Dual& b) {
+    const R inverse = 1.0 / b.value, quotient = a.value * inverse;
+    return of(quotient, [&](int n) { return (a.change[n] - quotient * b.change[n]) * inverse; });
+  }
+  [[gnu::always_inline]] friend Dual operator/(double a, const Dual& b) {
+    const R inverse = 1.0 / b.value, quotient = a * inverse;
+    return of(quotient, [&](int n) { return -quotient * inverse * b.change[n]; });
+  }
+  [[gnu::always_inline]] friend Dual operator/(const Dual& a, double b) { return (1.0 / b) * a; }
+  [[gnu::always_inline]] friend Dual operator-(const Dual& a) {
+    return of(R(-a.value), [&](int n) { return -a.change[n]; });
+  }
+  [[gnu::always_inline]] friend Dual operator+(double a, const Dual& b) {
+    return of(R(a + b.value), [&](int n) { return b.change[n]; });
+  }
+  [[gnu::always_inline]] friend Dual operator+(const Dual& a, double b) { return b + a; }
+  [[gnu::always_inline]] friend Dual operator-(const Dual& a, double b) {
+    return of(R(a.value - b), [&](int n) { return a.change[n]; });
+  }
+  [[gnu::always_inline]] friend Dual operator-(double a, const Dual& b) { return a + -b; }
+  [[gnu::always_inline]] friend Dual operator*(double a, const Dual& b) {
+    return of(R(a * b.value), [&](int n) { return a * b.change[n]; });
+  }
+  [[gnu::always_inline]] friend Dual operator*(const Dual& a, double b) { return b * a; }
+  [[gnu::always_inline]] friend auto operator<(const Dual& a, double b) { return a.value < b; }
+  [[gnu::always_inline]] friend auto operator>(const Dual& a, double b) { return a.value > b; }
 };
 
 /// {value, change(n) …}.
 template <int N, class R, class Change>
 [[gnu::always_inline]] inline Dual<R, N> dual(const R& value, const Change& change) {
-  Dual<R, N> result;
-  result.value = value;
-  for (int n = 0; n < N; ++n) result.change[n] = change(n);
-  return result;
-}
-
-template <class R, int N>
-[[gnu::always_inline]] inline Dual<R, N> operator+(const Dual<R, N>& a, const Dual<R, N>& b) {
-  return dual<N>(R(a.value + b.value), [&](int n) { return a.change[n] + b.change[n]; });
-}
-template <class R, int N>
-[[gnu::always_inline]] inline Dual<R, N> operator-(const Dual<R, N>& a, const Dual<R, N>& b) {
-  return dual<N>(R(a.value - b.value), [&](int n) { return a.change[n] - b.change[n]; });
-}
-template <class R, int N>
-[[gnu::always_inline]] inline Dual<R, N> operator*(const Dual<R, N>& a, const Dual<R, N>& b) {
-  return dual<N>(R(a.value * b.value),
-                 [&](int n) { return a.change[n] * b.value + a.value * b.change[n]; });
-}
-/// (a/b)' = (a' − (a/b) b')/b.
-template <class R, int N>
-[[gnu::always_inline]] inline Dual<R, N> operator/(const Dual<R, N>& a, const Dual<R, N>& b) {
-  const R inverse = 1.0 / b.value, quotient = a.value * inverse;
-  return dual<N>(quotient, [&](int n) { return (a.change[n] - quotient * b.change[n]) * inverse; });
-}
-template <class R, int N>
-[[gnu::always_inline]] inline Dual<R, N> operator/(double a, const Dual<R, N>& b) {
-  const R inverse = 1.0 / b.value, quotient = a * inverse;
-  return dual<N>(quotient, [&](int n) { return -quotient * inverse * b.change[n]; });
-}
-template <class R, int N>
-[[gnu::always_inline]] inline Dual<R, N> operator/(const Dual<R, N>& a, double b) {
-  return (1.0 / b) * a;
-}
-template <class R, int N>
-[[gnu::always_inline]] inline Dual<R, N> operator-(const Dual<R, N>& a) {
-  return dual<N>(R(-a.value), [&](int n) { return -a.change[n]; });
-}
-template <class R, int N>
-[[gnu::always_inline]] inline Dual<R, N> operator+(double a, const Dual<R, N>& b) {
-  return dual<N>(R(a + b.value), [&](int n) { return b.change[n]; });
-}
-template <class R, int N>
-[[gnu::always_inline]] inline Dual<R, N> operator+(const Dual<R, N>& a, double b) {
-  return b + a;
-}
-template <class R, int N>
-[[gnu::always_inline]] inline Dual<R, N> operator-(const Dual<R, N>& a, double b) {
-  return dual<N>(R(a.value - b), [&](int n) { return a.change[n]; });
-}
-template <class R, int N>
-[[gnu::always_inline]] inline Dual<R, N> operator-(double a, const Dual<R, N>& b) {
-  return a + -b;
-}
-template <class R, int N>
-[[gnu::always_inline]] inline Dual<R, N> operator*(double a, const Dual<R, N>& b) {
-  return dual<N>(R(a * b.value), [&](int n) { return a * b.change[n]; });
-}
-template <class R, int N>
-[[gnu::always_inline]] inline Dual<R, N> operator*(const Dual<R, N>& a, double b) {
-  return b * a;
-}
-template <class R, int N>
-[[gnu::always_inline]] inline auto operator<(const Dual<R, N>& a, double b) {
-  return a.value < b;
-}
-template <class R, int N>
-[[gnu::always_inline]] inline auto operator>(const Dual<R, N>& a, double b) {
-  return a.value > b;
+  return Dual<R, N>::of(value, change);
 }
 
 template <class R, int N>
 struct Numbers<Dual<R, N>> {
-  using Mask = typename Numbers<R>::Mask;
+  using Real = Numbers<R>;
+  using Mask = typename Real::Mask;
   [[gnu::always_inline]] static Dual<R, N> all(double value) {
-    return dual<N>(Numbers<R>::all(value), [](int) { return Numbers<R>::all(0.0); });
+    return dual<N>(Real::all(value), [](int) { return Real::all(0.0); });
   }
   [[gnu::always_inline]] static R magnitude(const Dual<R, N>& a) {
-    return Numbers<R>::magnitude(a.value);
+    return Real::magnitude(a.value);
   }
   [[gnu::always_inline]] static Dual<R, N> root(const Dual<R, N>& a) {
-    const R root = Numbers<R>::root(a.value);
+    const R root = Real::root(a.value);
     const R slope = 0.5 / root;
     return dual<N>(root, [&](int n) { return slope * a.change[n]; });
   }
   [[gnu::always_inline]] static Dual<R, N> log_and_inverse(const Dual<R, N>& e, Dual<R, N>& inverse,
                                                            Mask& good) {
     R one_over;
-    const R log = Numbers<R>::log_and_inverse(e.value, one_over, good);
+    const R log = Real::log_and_inverse(e.value, one_over, good);
     const R slope = -one_over * one_over;
     inverse = dual<N>(one_over, [&](int n) { return slope * e.change[n]; });
     return dual<N>(log, [&](int n) { return one_over * e.change[n]; });
   }
   [[gnu::always_inline]] static Dual<R, N> log_minus(const Dual<R, N>& e) {
     const R slope = -e.value / (1.0 + e.value);
-    return dual<N>(Numbers<R>::log_minus(e.value), [&](int n) { return slope * e.change[n]; });
+    return dual<N>(Real::log_minus(e.value), [&](int n) { return slope * e.change[n]; });
   }
 };
 

@@ -10,6 +10,16 @@
 
 namespace tlsph {
 
+/// A law that knows no past, with the functions of those that do.
+template <class Given, int D>
+struct WithoutMemory : Given {
+  explicit WithoutMemory(Given given) : Given(std::move(given)) {}
+  [[nodiscard]] Tensor<D> pk1(const Tensor<D>& H, double* /*now*/) const { return Given::pk1(H); }
+  [[nodiscard]] int memory() const { return 0; }
+  [[nodiscard]] const WithoutMemory& at(const Past&) const { return *this; }
+  [[nodiscard]] double dissipated() const { return 0.0; }
+};
+
 /// Holds a copy of any ElasticLaw; of a text (law.hpp) that is `Law<Text>`, with or without a
 /// memory. `SmallStrain` is that law's own `small_strain`.
 template <int D, bool SmallStrain>
@@ -64,12 +74,8 @@ class GivenLaw {
     double energy(const Tensor<D>& H, const Past& past) const override {
       return at(past).energy(H);
     }
-    Tensor<D> pk1(const Tensor<D>& H, const Past& past,
-                  [[maybe_unused]] double* now) const override {
-      if constexpr (remembers)
-        return law.at(past).pk1(H, now);
-      else
-        return law.pk1(H);
+    Tensor<D> pk1(const Tensor<D>& H, const Past& past, double* now) const override {
+      return at(past).pk1(H, now);
     }
     Tensor<D> dpk1(const Tensor<D>& H, const Tensor<D>& dH, const Past& past) const override {
       return at(past).dpk1(H, dH);
@@ -86,25 +92,11 @@ class GivenLaw {
     double margin(const Tensor<D>& H, const Past& past) const override {
       return at(past).margin(H);
     }
-    int memory() const override {
-      if constexpr (remembers)
-        return law.memory();
-      else
-        return 0;
-    }
-    double dissipated([[maybe_unused]] const Past& past) const override {
-      if constexpr (remembers)
-        return law.at(past).dissipated();
-      else
-        return 0.0;
-    }
-    decltype(auto) at([[maybe_unused]] const Past& past) const {
-      if constexpr (remembers)
-        return law.at(past);
-      else
-        return (law);
-    }
-    Given law;
+    int memory() const override { return law.memory(); }
+    double dissipated(const Past& past) const override { return at(past).dissipated(); }
+
+    decltype(auto) at(const Past& past) const { return law.at(past); }
+    std::conditional_t<remembers, Given, WithoutMemory<Given, D>> law;
   };
 
   GivenLaw(const Interface* law, const Past& past) : law_(law), past_(past) {}

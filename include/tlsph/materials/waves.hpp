@@ -19,18 +19,10 @@ namespace tlsph {
 /// refined. D is 1 or 2.
 template <int D>
 [[nodiscard]] double smallest_acoustic_eigenvalue(const Tangent<D>& A);
-template <>
-double smallest_acoustic_eigenvalue<1>(const Tangent<1>& A);
-template <>
-double smallest_acoustic_eigenvalue<2>(const Tangent<2>& A);
 
 /// Whether every plane wave has a real speed. Where this fails the homogeneous state cannot exist.
 /// Much cheaper than the eigenvalue wherever the answer is yes.
 template <int D>
 [[nodiscard]] bool is_hyperbolic(const Tangent<D>& A);
-template <>
-bool is_hyperbolic<1>(const Tangent<1>& A);
-template <>
-bool is_hyperbolic<2>(const Tangent<2>& A);
 
 }  // namespace tlsph

@@ -48,7 +48,7 @@
 /// of G is what it was. `consistency_cost` foretells it, `tlsph plan` prints that.
 
 #include "tlsph/core/error.hpp"
-#include "tlsph/linear/factor_cost.hpp"
+#include "tlsph/linear/factorization.hpp"
 #include "tlsph/operators/vector_operator.hpp"
 #include "tlsph/particles/particles.hpp"
 
@@ -81,13 +81,6 @@ template <int D>
                                                         const Particles<D>& particles,
                                                         ConsistencyDegrees degrees,
                                                         const Place& place = {});
-
-/// The residuals of any gradient, without changing it.
-template <int D>
-[[nodiscard]] ConsistencyResiduals consistency_residuals(const VectorOperator<D>& gradient,
-                                                         const MaterialPoints<D>& points,
-                                                         const Particles<D>& particles,
-                                                         ConsistencyDegrees degrees);
 
 /// The cost of the factorisation behind `consistent_gradient`, once for each direction, from its
 /// symbolic analysis; `bytes` holds the constraints and their matrix too.

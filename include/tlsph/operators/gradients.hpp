@@ -10,11 +10,16 @@
 /// Corrected gradients are exact for linear fields: Σ_q G_pq = 0, Σ_q G^a_pq X^b_q = δ_ab.
 
 #include "tlsph/kernels/families.hpp"
-#include "tlsph/operators/correction.hpp"
 #include "tlsph/operators/vector_operator.hpp"
 #include "tlsph/particles/particles.hpp"
 
 namespace tlsph {
+
+/// Corrections of a collocated gradient, Bonet & Lok (CMAME 180, 1999): `none` is the difference
+/// form (40), `gradient` (42)–(45), `mixed` (54)–(58). `least_squares` fits a plane by moving least
+/// squares instead: exact for linear fields too, and at boundaries its adjoint is several times
+/// nearer to the divergence theorem, for it weighs with W where the others weigh with ∇W.
+enum class Correction { none, gradient, mixed, least_squares };
 
 /// Kernel matrix W (N×N) and plain gradient X at the nodes `X` (N×d) with volumes `V`; `h` is the
 /// full support radius [m].

@@ -7,13 +7,46 @@
 ///     H = G u:   H_(ia) at s = Σ_q w^a_sq u_i at q         (M×d² from N×d)
 ///     f = D P:   f_i at q    = Σ_s Σ_a w^a_qs P_(ia) at s   (N×d from M×d²)
 
+#include <algorithm>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "tlsph/core/types.hpp"
 #include "tlsph/operators/neighbours.hpp"
 
 namespace tlsph {
+
+/// Rows of an operator under construction.
+struct OperatorRows {
+  Neighbours pattern{{0}, {}};
+  std::vector<double> weights;
+
+  void reserve(std::size_t rows, std::size_t entries_a_row, std::size_t weights_an_entry) {
+    pattern.start.reserve(rows + 1);
+    pattern.column.reserve(rows * entries_a_row);
+    weights.reserve(rows * entries_a_row * weights_an_entry);
+  }
+  /// An entry of the row under way, columns ascending.
+  void add(int column, std::span<const double> of_column) {
+    pattern.column.push_back(column);
+    weights.insert(weights.end(), of_column.begin(), of_column.end());
+  }
+  void end_row() { pattern.start.push_back(pattern.size()); }
+  /// A whole row, the same number of weights a column.
+  void add_row(std::span<const int> columns, std::span<const double> of_columns) {
+    pattern.column.insert(pattern.column.end(), columns.begin(), columns.end());
+    weights.insert(weights.end(), of_columns.begin(), of_columns.end());
+    end_row();
+  }
+  /// A row from its entries in any order.
+  template <int D>
+  void add_row(std::vector<std::pair<int, Vector<D>>> entries) {
+    std::ranges::sort(entries, {}, &std::pair<int, Vector<D>>::first);
+    for (const auto& [column, weight] : entries) add(column, {weight.data(), D});
+    end_row();
+  }
+};
 
 template <int D>
 class VectorOperator {
@@ -22,8 +55,7 @@ class VectorOperator {
   /// `weights` holds `stride` numbers an entry: D (weights shared by all components; index a) or D²
   /// (weights differ by component, as mirrored boundaries need; index i*D + a).
   VectorOperator(Index rows, Index cols, Neighbours pattern, std::vector<double> weights);
-  /// From one plain matrix a direction (same shape; the pattern is the union).
-  explicit VectorOperator(std::span<const SparseMatrix> directions);
+  VectorOperator(OperatorRows rows, Index cols);
 
   [[nodiscard]] Index rows() const { return rows_; }
   [[nodiscard]] Index cols() const { return cols_; }

@@ -17,11 +17,10 @@
 #include "tlsph/core/error.hpp"
 #include "tlsph/curves/curve.hpp"
 #include "tlsph/formulations/formulation.hpp"
-#include "tlsph/formulations/ghost_closure.hpp"
 #include "tlsph/geometry/shape.hpp"
-#include "tlsph/linear/solver_choice.hpp"
+#include "tlsph/linear/factorization.hpp"
 #include "tlsph/materials/any_law.hpp"
-#include "tlsph/operators/correction.hpp"
+#include "tlsph/operators/gradients.hpp"
 #include "tlsph/particles/particles.hpp"
 #include "tlsph/scene/defaulted.hpp"
 

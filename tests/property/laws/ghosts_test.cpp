@@ -3,7 +3,7 @@
 #include <map>
 
 #include "property/bodies.hpp"
-#include "tlsph/formulations/mirror.hpp"
+#include "tlsph/formulations/extension.hpp"
 #include "tlsph/materials/uniaxial.hpp"
 #include "tlsph/observe/probes.hpp"
 

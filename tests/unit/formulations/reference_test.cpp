@@ -4,7 +4,7 @@
 
 #include "reference_matrices.hpp"
 #include "tlsph/formulations/ghosts.hpp"
-#include "tlsph/formulations/mirror.hpp"
+#include "tlsph/formulations/extension.hpp"
 
 namespace tlsph {
 namespace {

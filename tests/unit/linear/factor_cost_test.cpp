@@ -1,6 +1,6 @@
 /// What a factorisation will cost, foretold.
 
-#include "tlsph/linear/factor_cost.hpp"
+#include "tlsph/linear/factorization.hpp"
 
 #include <gtest/gtest.h>
 

@@ -62,6 +62,39 @@ double false_force(const VectorOperator<D>& gradient, const Particles<D>& body, 
   return worst / std::pow(node_spacing, D - 1);
 }
 
+/// What is left of the constraints, worked out from their text in consistency.hpp.
+template <int D>
+double largest_residual(const VectorOperator<D>& gradient, const MaterialPoints<D>& points,
+                        const Particles<D>& body, ConsistencyDegrees degrees) {
+  const auto slope_at_zero = [](const std::array<int, D>& exponents, int a) {
+    std::array<int, D> linear{};
+    linear[static_cast<std::size_t>(a)] = 1;
+    return exponents == linear ? 1.0 : 0.0;
+  };
+  const auto row_exponents = monomials<D>(degrees.rows), columns = monomials<D>(degrees.columns);
+  const double unit = std::pow(node_spacing, D);
+  double worst = 0.0;
+  for (int a = 0; a < D; ++a) {
+    Eigen::MatrixXd row = Eigen::MatrixXd::Zero(gradient.rows(), Index(row_exponents.size()));
+    Eigen::MatrixXd column = Eigen::MatrixXd::Zero(gradient.cols(), Index(columns.size()));
+    for (Index s = 0; s < gradient.rows(); ++s)
+      for (const Index k : gradient.pattern().entries(s)) {
+        const int q = gradient.pattern().column_at(k);
+        const Vector<D> arm = (body.X.row(q) - points.X.row(s)).transpose() / node_spacing;
+        const double weight = node_spacing * gradient.weight(k, a);
+        row.row(s) += weight * monomial_values<D>(row_exponents, arm);
+        column.row(q) += points.V[s] / unit * weight * monomial_values<D>(columns, Vector<D>(-arm));
+      }
+    for (Index j = 0; j < row.cols(); ++j)
+      row.col(j).array() -= slope_at_zero(row_exponents[std::size_t(j)], a);
+    for (Index j = 0; j < column.cols(); ++j)
+      column.col(j) += slope_at_zero(columns[std::size_t(j)], a) / unit * body.V;
+    column.col(0) -= body.B.col(a) / std::pow(node_spacing, D - 1);
+    worst = std::max({worst, row.cwiseAbs().maxCoeff(), column.cwiseAbs().maxCoeff()});
+  }
+  return worst;
+}
+
 struct Problem {
   const char* name;
   double support;
@@ -87,8 +120,7 @@ class Consistency : public testing::TestWithParam<Problem> {
 
     EXPECT_LE(residuals.row, 1e-12);
     EXPECT_LE(residuals.column, 1e-12);
-    const auto again = consistency_residuals<D>(gradient, points, body, degrees);
-    EXPECT_LE(std::max(again.row, again.column), 1e-12);
+    EXPECT_LE(largest_residual<D>(gradient, points, body, degrees), 1e-12);
     EXPECT_EQ(gradient.pattern().column, before.pattern().column) << "no entry is added";
     EXPECT_GE(false_force<D>(before, body, false), 1e-3);
     EXPECT_LE(false_force<D>(gradient, body, false), 1e-12) << "constant stress";

@@ -1,6 +1,6 @@
 /// The gradient of pair errors is determined, and of bounded size, on any nodes of a plane.
 
-#include "tlsph/operators/pair_gradient.hpp"
+#include "tlsph/operators/stabilisers.hpp"
 
 #include <gtest/gtest.h>
 
