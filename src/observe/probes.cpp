@@ -64,17 +64,9 @@ void Probes<D>::sample(const Instant<D>& now, std::span<double> row) const {
   for (const Probe& probe : probes_) {
     Observed<D> seen;
     for (std::size_t k = 0; k < probe.nodes.node.size(); ++k)
-      for (int i = 0; i < D; ++i) {
-        const Index dof = probe.nodes.node[k] * D + i;
-        const NodalMotion motion = now.motion(dof);
-        seen.u[i] += probe.nodes.weight[k] * now.u().data()[dof];
-        seen.v[i] += probe.nodes.weight[k] * motion.velocity;
-        seen.a[i] += probe.nodes.weight[k] * motion.acceleration;
-      }
-    for (std::size_t k = 0; k < probe.points.node.size(); ++k) {
-      seen.H += probe.points.weight[k] * tensor_at<D>(now.H(), probe.points.node[k]);
-      seen.P += probe.points.weight[k] * tensor_at<D>(now.P(), probe.points.node[k]);
-    }
+      seen.add(probe.nodes.weight[k], observed_particle<D>(now, probe.nodes.node[k]));
+    for (std::size_t k = 0; k < probe.points.node.size(); ++k)
+      seen.add(probe.points.weight[k], observed_strain<D>(now, probe.points.node[k]));
     seen.stress =
         measures_at<D>(now.body.regions[probe.region], now.state, seen.H, seen.P, probe.nearest);
     for (const Quantity<D>* quantity : probe.quantities)

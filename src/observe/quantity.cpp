@@ -48,25 +48,29 @@ Observed<D> observed_particle(const Instant<D>& now, Index particle) {
 }
 
 template <int D>
-Observed<D> observed_point(const Instant<D>& now, Index point) {
+Observed<D> observed_strain(const Instant<D>& now, Index point) {
   Observed<D> seen;
   seen.H = tensor_at<D>(now.H(), point);
   seen.P = tensor_at<D>(now.P(), point);
+  return seen;
+}
+
+template <int D>
+Observed<D> observed_point(const Instant<D>& now, Index point) {
+  Observed<D> seen = observed_strain<D>(now, point);
   seen.stress = stress_measures<D>(now.body.regions[region_of<D>(now.body, point)], seen.H, seen.P,
                                    present(now.state, point));
   return seen;
 }
 
-template const Quantity<1>* find_quantity<1>(std::string_view);
-template const Quantity<2>* find_quantity<2>(std::string_view);
-template const Quantity<1>& quantity_named<1>(std::string_view);
-template const Quantity<2>& quantity_named<2>(std::string_view);
-template std::vector<std::string> component_suffixes<1>(const Quantity<1>&);
-template std::vector<std::string> component_suffixes<2>(const Quantity<2>&);
-
-template Observed<1> observed_particle<1>(const Instant<1>&, Index);
-template Observed<2> observed_particle<2>(const Instant<2>&, Index);
-template Observed<1> observed_point<1>(const Instant<1>&, Index);
-template Observed<2> observed_point<2>(const Instant<2>&, Index);
+#define TLSPH_INSTANTIATE(D)                                                   \
+  template const Quantity<D>* find_quantity<D>(std::string_view);              \
+  template const Quantity<D>& quantity_named<D>(std::string_view);             \
+  template std::vector<std::string> component_suffixes<D>(const Quantity<D>&); \
+  template Observed<D> observed_particle<D>(const Instant<D>&, Index);         \
+  template Observed<D> observed_strain<D>(const Instant<D>&, Index);           \
+  template Observed<D> observed_point<D>(const Instant<D>&, Index);
+TLSPH_FOR_DIMENSIONS(TLSPH_INSTANTIATE)
+#undef TLSPH_INSTANTIATE
 
 }  // namespace tlsph

@@ -27,14 +27,6 @@ enum Form : unsigned {
   tables = 256U,  // a list of tables, [[key]]
 };
 
-[[nodiscard]] constexpr Range at_least(double low) {
-  return {.low = low, .with_low = true};
-}
-/// With its ends.
-[[nodiscard]] constexpr Range closed(double low, double high) {
-  return {low, high, true, true};
-}
-
 /// The values of a key: words, numbers of a range, either of them, or whatever its form allows.
 struct Allowed {
   std::vector<std::string> words;

@@ -128,10 +128,18 @@ std::string advise_law(const Scene& scene) {
 }
 
 std::vector<std::string> linear_law(const Scene& scene) {
-  const bool linear = std::ranges::all_of(scene.materials, [](const MaterialScene& material) {
+  const auto is_linear = [](const MaterialScene& material) {
     return material.law == LawName::linear_elastic;
-  });
-  if (linear || scene.exact == ExactKind::uniform_stretch) return {};
+  };
+  // Constants of another law's own would have no meaning for the linear one.
+  const auto has_its_constants = [](const MaterialScene& material) {
+    return std::ranges::equal(constants_of(material.law), constants_of(LawName::linear_elastic), {},
+                              &LawConstant::name, &LawConstant::name);
+  };
+  if (std::ranges::all_of(scene.materials, is_linear) ||
+      !std::ranges::all_of(scene.materials, has_its_constants) ||
+      scene.exact == ExactKind::uniform_stretch)
+    return {};
   std::vector<std::string> overrides = {"material.law=linear-elastic"};
   for (std::size_t k = 1; k < scene.materials.size(); ++k)
     overrides.push_back(fmt::format("material.region[{}].law=linear-elastic", k - 1));

@@ -21,6 +21,7 @@
 #include "tlsph/dynamics/state.hpp"
 #include "tlsph/kernels/families.hpp"
 #include "tlsph/model/builder.hpp"
+#include "tlsph/scene/names.hpp"
 #include "tlsph/scene/reader.hpp"
 #include "tlsph/stepping/critical_step.hpp"
 
@@ -178,9 +179,7 @@ inline std::vector<Variant> adjoint_variants() {
 struct Material {
   const char* law;
   const char* assumption;
-  [[nodiscard]] std::vector<std::string> overrides() const {
-    return {std::string("material.law=") + law, std::string("material.assumption=") + assumption};
-  }
+  std::vector<double> constants = {young, 0.3};  ///< in the order of `constants_of`
   [[nodiscard]] bool linear() const { return std::string_view(law) == "linear-elastic"; }
 };
 
@@ -199,16 +198,18 @@ void discretised(const Scene& scene, const Use& use) {
     use(build<2>(scene));
 }
 
+template <int D>
+AnyLaw<D> law_of(const Material& material) {
+  return make_law<D>(
+      from_name<LawName>(material.law).value(),
+      std::string_view(material.assumption) == "strain" ? Assumption::strain : Assumption::stress,
+      material.constants);
+}
+
 /// The same discretisation with another material: operators do not depend on it, stabilisers do.
 template <int D>
 void set_material(Discretisation<D>& disc, const Material& material) {
-  const std::string_view law = material.law;
-  disc.regions.front().law = make_law<D>(
-      law == "linear-elastic"        ? LawName::linear_elastic
-      : law == "st-venant-kirchhoff" ? LawName::st_venant_kirchhoff
-                                     : LawName::neo_hookean,
-      std::string_view(material.assumption) == "strain" ? Assumption::strain : Assumption::stress,
-      young, 0.3);
+  disc.regions.front().law = law_of<D>(material);
 }
 
 /// Numbers in [−1, 1), the same on every machine.

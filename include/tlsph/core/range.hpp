@@ -24,9 +24,16 @@ struct Range {
 [[nodiscard]] constexpr Range above(double low) {
   return {low};
 }
+[[nodiscard]] constexpr Range at_least(double low) {
+  return {.low = low, .with_low = true};
+}
 /// Without its ends.
 [[nodiscard]] constexpr Range between(double low, double high) {
   return {low, high};
+}
+/// With its ends.
+[[nodiscard]] constexpr Range closed(double low, double high) {
+  return {low, high, true, true};
 }
 
 }  // namespace tlsph

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// The list of the laws. A new law is its text in a header of its own and its two entries here;
-/// names, the maker, the inner loops of a sweep and the benchmark follow.
+/// The list of the laws. A new law is its text in a header of its own, and here its enumerator and
+/// two entries; names, keys, the maker and the inner loops of a sweep follow.
 
 #include <array>
 #include <cstddef>
@@ -49,6 +49,8 @@ constexpr auto constants(List<Text...>) {
 
 /// By LawName.
 inline constexpr auto law_names = laws::names(laws::Listed<2>());
+static_assert(law_names[static_cast<std::size_t>(LawName::linear_elastic)] == "linear-elastic");
+static_assert(law_names[static_cast<std::size_t>(LawName::neo_hookean)] == "neo-hookean");
 
 /// In the order in which a law takes their values.
 [[nodiscard]] constexpr std::span<const LawConstant> constants_of(LawName name) {

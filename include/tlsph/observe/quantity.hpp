@@ -22,6 +22,15 @@ struct Observed {
   Vector<D> u = Vector<D>::Zero(), v = Vector<D>::Zero(), a = Vector<D>::Zero();  ///< m, m/s, m/s²
   Tensor<D> H = Tensor<D>::Zero(), P = Tensor<D>::Zero();                         ///< 1, Pa
   StressMeasures<D> stress;
+
+  /// Adds a share of what was observed elsewhere, all but `stress`.
+  void add(double weight, const Observed& other) {
+    u += weight * other.u;
+    v += weight * other.v;
+    a += weight * other.a;
+    H += weight * other.H;
+    P += weight * other.P;
+  }
 };
 
 template <int D>
@@ -39,7 +48,7 @@ struct Quantity {
 };
 
 template <int D>
-inline constexpr std::array<Quantity<D>, 8> quantities = {{
+inline constexpr auto quantities = std::to_array<Quantity<D>>({
     {"displacement", Site::particles, Rank::vector, "m",
      [](const Observed<D>& o, int i, int) { return o.u[i]; },
      [](const ExactSolution<D>& exact, const Vector<D>& X, double t, int i, int) {
@@ -69,7 +78,7 @@ inline constexpr std::array<Quantity<D>, 8> quantities = {{
      [](const Observed<D>& o, int, int) { return o.stress.pressure; }},
     {"von_mises", Site::points, Rank::scalar, "Pa",
      [](const Observed<D>& o, int, int) { return o.stress.von_mises; }},
-}};
+});
 
 /// The names of all quantities.
 inline constexpr auto quantity_names = [] {
@@ -97,7 +106,9 @@ void for_components(Rank rank, bool symmetric, const Take& take) {
 /// The motion of a particle.
 template <int D>
 [[nodiscard]] Observed<D> observed_particle(const Instant<D>& now, Index particle);
-/// The strain and stress of a material point.
+/// H and P of a material point; the same with their measures.
+template <int D>
+[[nodiscard]] Observed<D> observed_strain(const Instant<D>& now, Index point);
 template <int D>
 [[nodiscard]] Observed<D> observed_point(const Instant<D>& now, Index point);
 

@@ -14,17 +14,10 @@
 namespace tlsph::property {
 namespace {
 
-LawName law_name(std::string_view law) {
-  if (law == "linear-elastic") return LawName::linear_elastic;
-  return law == "neo-hookean" ? LawName::neo_hookean : LawName::st_venant_kirchhoff;
-}
-
 template <int D>
-AnyLaw<D> law_of(const Material& material, double poisson) {
-  return make_law<D>(
-      law_name(material.law),
-      std::string_view(material.assumption) == "strain" ? Assumption::strain : Assumption::stress,
-      young, poisson);
+AnyLaw<D> law_of(Material material, double poisson) {
+  material.constants[1] = poisson;
+  return property::law_of<D>(material);
 }
 
 template <int D>
