@@ -15,7 +15,6 @@
 #include "tlsph/core/error.hpp"
 #include "tlsph/core/stopwatch.hpp"
 #include "tlsph/io/files.hpp"
-#include "tlsph/io/new_files.hpp"
 #include "tlsph/scene/reader.hpp"
 #include "tlsph/simulation/version.hpp"
 #include "tlsph/studies/chart_search.hpp"
