@@ -94,16 +94,6 @@ void Json::set(std::string_view path, Json value) {
   tree_->make(path) = std::move(value.tree_->root);
 }
 
-void Json::append(std::string_view path, Json element) {
-  make_list(path);
-  tree_->make(path).push_back(std::move(element.tree_->root));
-}
-
-void Json::make_list(std::string_view path) {
-  Node& node = tree_->make(path);
-  if (!node.is_array()) node = Node::array();
-}
-
 bool Json::has(std::string_view path) const {
   return tree_->find(path) != nullptr;
 }
