@@ -131,7 +131,8 @@ Hdf5File create_file(const std::filesystem::path& path, const RunLayout& layout,
     file.set_attribute(item, "unit", unit);
   }
   for (const FrameField& field : layout.fields) {
-    file.set_attribute(frames_of(field), "site", field.site == Site::particles ? "particles" : "points");
+    file.set_attribute(frames_of(field), "site",
+                       field.site == Site::particles ? "particles" : "points");
     if (field.rank != Rank::scalar)
       file.set_attribute(frames_of(field), "components",
                          component_names(field.rank, layout.dimension));
