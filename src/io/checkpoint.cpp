@@ -24,9 +24,21 @@ class Writer {
     file_.write(data, count);
   }
   void number(std::uint64_t value) { bytes(&value, sizeof value); }
-  void text(const std::string& value) {
+  void entry(std::span<const double> values) {
+    number(values.size());
+    bytes(values.data(), values.size_bytes());
+  }
+  void entry(std::int64_t value) { number(std::bit_cast<std::uint64_t>(value)); }
+  void entry(const std::string& value) {
     number(value.size());
     bytes(value.data(), value.size());
+  }
+  void entries(const auto& map) {
+    number(map.size());
+    for (const auto& [name, value] : map) {
+      entry(name);
+      entry(value);
+    }
   }
   void commit() {
     number(sum_.value());
@@ -64,20 +76,26 @@ class Reader {
     bytes(&value, sizeof value);
     return value;
   }
-  std::string text() {
+  void entry(std::string& value) {
     const std::uint64_t count = number();
     need(count);
-    std::string value(count, '\0');
+    value.resize(count);
     bytes(value.data(), count);
-    return value;
   }
-  std::vector<double> array() {
+  void entry(std::vector<double>& values) {
     const std::uint64_t count = number();
     need(count);  // so that the product below cannot overflow
     need(count * sizeof(double));
-    std::vector<double> values(count);
+    values.resize(count);
     bytes(values.data(), count * sizeof(double));
-    return values;
+  }
+  void entry(std::int64_t& value) { value = std::bit_cast<std::int64_t>(number()); }
+  void entries(auto& map) {
+    for (std::uint64_t left = number(); left > 0; --left) {
+      std::string name;
+      entry(name);
+      entry(map[name]);
+    }
   }
   void finish() {
     const std::uint64_t computed = sum_.value();
@@ -107,22 +125,9 @@ void write_checkpoint(const fs::path& path, const CheckpointView& checkpoint) {
   Writer writer(path);
   writer.bytes(magic, sizeof magic);
   writer.number(version);
-  writer.number(checkpoint.arrays.size());
-  for (const auto& [name, values] : checkpoint.arrays) {
-    writer.text(name);
-    writer.number(values.size());
-    writer.bytes(values.data(), values.size_bytes());
-  }
-  writer.number(checkpoint.integers.size());
-  for (const auto& [name, value] : checkpoint.integers) {
-    writer.text(name);
-    writer.number(std::bit_cast<std::uint64_t>(value));
-  }
-  writer.number(checkpoint.texts.size());
-  for (const auto& [name, value] : checkpoint.texts) {
-    writer.text(name);
-    writer.text(value);
-  }
+  writer.entries(checkpoint.arrays);
+  writer.entries(checkpoint.integers);
+  writer.entries(checkpoint.texts);
   writer.commit();
 }
 
@@ -134,19 +139,9 @@ Checkpoint read_checkpoint(const fs::path& path) {
   if (reader.number() != version) reader.fail("is a checkpoint of another version or machine");
   Checkpoint checkpoint;
   checkpoint.path = path;
-  for (std::uint64_t left = reader.number(); left > 0; --left) {
-    std::string name = reader.text();
-    checkpoint.arrays.insert_or_assign(std::move(name), reader.array());
-  }
-  for (std::uint64_t left = reader.number(); left > 0; --left) {
-    std::string name = reader.text();
-    checkpoint.integers.insert_or_assign(std::move(name),
-                                         std::bit_cast<std::int64_t>(reader.number()));
-  }
-  for (std::uint64_t left = reader.number(); left > 0; --left) {
-    std::string name = reader.text();
-    checkpoint.texts.insert_or_assign(std::move(name), reader.text());
-  }
+  reader.entries(checkpoint.arrays);
+  reader.entries(checkpoint.integers);
+  reader.entries(checkpoint.texts);
   reader.finish();
   return checkpoint;
 }

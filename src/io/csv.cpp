@@ -10,7 +10,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
-#include <string_view>
+#include <fstream>
 #include <utility>
 
 #include "system.hpp"
@@ -22,38 +22,6 @@ namespace {
 
 constexpr std::size_t capacity = 1 << 16;
 constexpr std::size_t widest_value = 26;  // "-1.2345678901234567e-308," has 25
-
-/// The first lines of a table: how many, their bytes, the check sum of all but the header.
-struct Lines {
-  std::size_t count = 0;
-  off_t end = 0;
-  CheckSum sum;
-};
-
-Lines read_lines(int descriptor, std::size_t most, const fs::path& path) {
-  std::vector<char> block(capacity);
-  std::string line;
-  Lines lines;
-  while (lines.count < most) {
-    const off_t begin = lines.end + static_cast<off_t>(line.size());
-    const ssize_t got = ::pread(descriptor, block.data(), block.size(), begin);
-    if (got < 0)
-      throw InputError(Place{path.string(), 0, 0, ""},
-                       std::string("cannot read: ") + std::strerror(errno));
-    if (got == 0) break;
-    std::string_view left(block.data(), static_cast<std::size_t>(got));
-    while (lines.count < most) {
-      const std::size_t end = left.find('\n');
-      line += left.substr(0, end == std::string_view::npos ? end : end + 1);
-      if (end == std::string_view::npos) break;
-      left.remove_prefix(end + 1);
-      if (lines.count++ > 0) lines.sum.add(line.data(), line.size());
-      lines.end += static_cast<off_t>(line.size());
-      line.clear();
-    }
-  }
-  return lines;
-}
 
 std::string csv_field(const std::string& cell) {
   if (cell.find_first_of(",\"\r\n") == std::string::npos) return cell;
@@ -95,22 +63,29 @@ CsvWriter CsvWriter::open(const fs::path& path, const std::vector<std::string>& 
   CsvWriter writer(path, columns.size(), ::open(path.c_str(), O_RDWR | O_CLOEXEC));
   if (writer.descriptor_ < 0)
     throw InputError(place, std::string("cannot open to go on with it: ") + std::strerror(errno));
+  std::ifstream file(path, std::ios::binary);
   const std::string header = csv_line(columns);
-  std::string found(header.size(), '\0');
-  const ssize_t got = ::pread(writer.descriptor_, found.data(), found.size(), 0);
-  if (got != static_cast<ssize_t>(found.size()) || found != header)
+  CheckSum sum;
+  std::size_t lines = 0;
+  // A last line without its end does not count.
+  for (std::string line; lines <= rows.count && std::getline(file, line) && !file.eof(); ++lines) {
+    line += '\n';
+    if (lines == 0 && line != header) break;
+    if (lines > 0) sum.add(line.data(), line.size());
+    writer.end_ += static_cast<long long>(line.size());
+  }
+  if (file.bad()) throw InputError(place, std::string("cannot read: ") + std::strerror(errno));
+  if (lines == 0)
     throw InputError(place, "its header is not that of this run, which is \"" +
                                 header.substr(0, header.size() - 1) + "\"; start without --resume");
-  const Lines lines = read_lines(writer.descriptor_, rows.count + 1, path);
-  if (lines.count < rows.count + 1)
-    throw InputError(place, fmt::format("{} rows are needed to go on, {} are there", rows.count,
-                                        lines.count - 1));
-  if (lines.sum.value() != rows.sum.value())
+  if (lines <= rows.count)
+    throw InputError(
+        place, fmt::format("{} rows are needed to go on, {} are there", rows.count, lines - 1));
+  if (sum.value() != rows.sum.value())
     throw InputError(place, fmt::format("damaged: the first {} rows are not those that were "
                                         "written; start without --resume",
                                         rows.count));
   writer.rows_ = rows;
-  writer.end_ = lines.end;
   return writer;
 }
 

@@ -3,6 +3,7 @@
 #include <cassert>
 #include <functional>
 #include <numeric>
+#include <type_traits>
 
 #include "hdf5_open.hpp"
 #include "system.hpp"
@@ -33,11 +34,16 @@ Hdf5Id access() {
   return list;
 }
 
-/// Groups on the way to an item are made.
-Hdf5Id with_groups() {
-  Hdf5Id list(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
-  H5Pset_create_intermediate_group(list, 1);
-  return list;
+/// How a number lies in the file, little-endian so that it does not depend on the machine, and in
+/// memory.
+template <class Value>
+std::pair<hid_t, hid_t> types_of() {
+  if constexpr (std::is_same_v<Value, double>)
+    return {H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE};
+  else if constexpr (std::is_same_v<Value, std::int32_t>)
+    return {H5T_STD_I32LE, H5T_NATIVE_INT32};
+  else
+    return {H5T_STD_I64LE, H5T_NATIVE_INT64};
 }
 
 }  // namespace
@@ -53,11 +59,10 @@ std::string hdf5_reason() {
   return reason.substr(begin + mark.size(), end - begin - mark.size());
 }
 
-Hdf5Id hdf5_text_type() {
-  Hdf5Id type(H5Tcopy(H5T_C_S1), H5Tclose);
-  H5Tset_size(type, H5T_VARIABLE);
-  H5Tset_cset(type, H5T_CSET_UTF8);
-  return type;
+Hdf5Id hdf5_with_groups() {
+  Hdf5Id list(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
+  H5Pset_create_intermediate_group(list, 1);
+  return list;
 }
 
 Hdf5Id hdf5_space(const Extents& shape) {
@@ -105,14 +110,6 @@ Hdf5File Hdf5File::create(const std::filesystem::path& path) {
   return Hdf5File(std::move(open));
 }
 
-Hdf5File Hdf5File::open(const std::filesystem::path& path) {
-  auto open = std::make_unique<Open>();
-  open->path = path;
-  open->file = Hdf5Id(H5Fopen(path.c_str(), H5F_ACC_RDWR, access()), H5Fclose);
-  if (!open->file.valid()) open->read_failed("", "open this file to go on with it");
-  return Hdf5File(std::move(open));
-}
-
 Hdf5File Hdf5File::open_read_only(const std::filesystem::path& path) {
   auto open = std::make_unique<Open>();
   open->path = path;
@@ -125,81 +122,52 @@ const std::filesystem::path& Hdf5File::path() const {
   return open_->path;
 }
 
+bool Hdf5File::exists(const std::string& item) const {
+  // The library wants every group on the way to be there before it answers.
+  for (std::size_t end = item.find('/', 1);; end = item.find('/', end + 1)) {
+    const std::string part = item.substr(0, end);
+    if (part != "/" && H5Lexists(open_->file, part.c_str(), H5P_DEFAULT) <= 0) return false;
+    if (end == std::string::npos) return true;
+  }
+}
+
+std::vector<std::string> Hdf5File::names(const std::string& group) const {
+  std::vector<std::string> found;
+  const auto add = [](hid_t, const char* name, const H5L_info_t*, void* list) -> herr_t {
+    static_cast<std::vector<std::string>*>(list)->emplace_back(name);
+    return 0;
+  };
+  const Hdf5Id id(H5Gopen2(open_->file, group.c_str(), H5P_DEFAULT), H5Gclose);
+  if (!id.valid() || H5Literate(id, H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &found) < 0)
+    open_->read_failed(group, "list this group");
+  return found;
+}
+
 void Hdf5File::make_group(const std::string& item) {
-  const Hdf5Id group(H5Gcreate2(open_->file, item.c_str(), with_groups(), H5P_DEFAULT, H5P_DEFAULT),
-                     H5Gclose);
+  const Hdf5Id group(
+      H5Gcreate2(open_->file, item.c_str(), hdf5_with_groups(), H5P_DEFAULT, H5P_DEFAULT),
+      H5Gclose);
   if (!group.valid()) open_->write_failed(item, "make this group");
 }
 
-namespace {
-
-bool write_array(hid_t file, const std::string& item, const void* values, hid_t stored_type,
-                 hid_t memory_type, const Extents& shape) {
-  const Hdf5Id space = hdf5_space(shape);
-  const Hdf5Id dataset(
-      H5Dcreate2(file, item.c_str(), stored_type, space, with_groups(), H5P_DEFAULT, H5P_DEFAULT),
-      H5Dclose);
-  return dataset.valid() && (hdf5_count(shape) == 0 || H5Dwrite(dataset, memory_type, H5S_ALL,
-                                                                H5S_ALL, H5P_DEFAULT, values) >= 0);
-}
-
-bool write_attribute(hid_t file, const std::string& item, const std::string& name,
-                     const void* values, hid_t stored_type, hid_t memory_type,
-                     const Extents& shape) {
-  const Hdf5Id object(H5Oopen(file, item.c_str(), H5P_DEFAULT), H5Oclose);
-  if (!object.valid()) return false;
-  if (H5Aexists(object, name.c_str()) > 0 && H5Adelete(object, name.c_str()) < 0) return false;
-  const Hdf5Id attribute(
-      H5Acreate2(object, name.c_str(), stored_type, hdf5_space(shape), H5P_DEFAULT, H5P_DEFAULT),
-      H5Aclose);
-  return attribute.valid() && H5Awrite(attribute, memory_type, values) >= 0;
-}
-
-std::vector<const char*> pointers(const std::vector<std::string>& texts) {
-  std::vector<const char*> result;
-  result.reserve(texts.size());
-  for (const auto& text : texts) result.push_back(text.c_str());
-  return result;
-}
-
-}  // namespace
-
-// Numbers are stored in little-endian order everywhere, so that a file does not depend on the
-// machine.
-
-void Hdf5File::write(const std::string& item, std::span<const double> values,
-                     const Extents& shape) {
+template <class Value>
+void Hdf5File::write_array(const std::string& item, std::span<const Value> values,
+                           const Extents& shape) {
   assert(values.size() == hdf5_count(shape));
-  if (!write_array(open_->file, item, values.data(), H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, shape))
+  const auto [stored, in_memory] = types_of<Value>();
+  const Hdf5Id dataset(H5Dcreate2(open_->file, item.c_str(), stored, hdf5_space(shape),
+                                  hdf5_with_groups(), H5P_DEFAULT, H5P_DEFAULT),
+                       H5Dclose);
+  if (!dataset.valid() || (!values.empty() && H5Dwrite(dataset, in_memory, H5S_ALL, H5S_ALL,
+                                                       H5P_DEFAULT, values.data()) < 0))
     open_->write_failed(item, "write this data set");
 }
 
-void Hdf5File::write(const std::string& item, std::span<const std::int32_t> values,
-                     const Extents& shape) {
-  assert(values.size() == hdf5_count(shape));
-  if (!write_array(open_->file, item, values.data(), H5T_STD_I32LE, H5T_NATIVE_INT32, shape))
-    open_->write_failed(item, "write this data set");
-}
-
-void Hdf5File::write(const std::string& item, std::span<const std::int64_t> values,
-                     const Extents& shape) {
-  assert(values.size() == hdf5_count(shape));
-  if (!write_array(open_->file, item, values.data(), H5T_STD_I64LE, H5T_NATIVE_INT64, shape))
-    open_->write_failed(item, "write this data set");
-}
-
-void Hdf5File::write(const std::string& item, const std::string& text) {
-  const Hdf5Id type = hdf5_text_type();
-  const char* pointer = text.c_str();
-  if (!write_array(open_->file, item, &pointer, type, type, {}))
-    open_->write_failed(item, "write this text");
-}
-
-void Hdf5File::write(const std::string& item, const std::vector<std::string>& texts) {
-  const Hdf5Id type = hdf5_text_type();
-  if (!write_array(open_->file, item, pointers(texts).data(), type, type, {texts.size()}))
-    open_->write_failed(item, "write these texts");
-}
+template void Hdf5File::write_array(const std::string&, std::span<const double>, const Extents&);
+template void Hdf5File::write_array(const std::string&, std::span<const std::int32_t>,
+                                    const Extents&);
+template void Hdf5File::write_array(const std::string&, std::span<const std::int64_t>,
+                                    const Extents&);
 
 void Hdf5File::write_view(const std::string& item, const Extents& shape, const Extents& count,
                           const Hdf5Part& part) {
@@ -217,38 +185,48 @@ void Hdf5File::write_view(const std::string& item, const Extents& shape, const E
       H5Pset_virtual(layout, selected(shape, origin, count), part.file.c_str(), part.item.c_str(),
                      selected(part.shape, part.start, part.count)) >= 0;
   const Hdf5Id dataset(H5Dcreate2(open_->file, item.c_str(), H5T_IEEE_F64LE, hdf5_space(shape),
-                                  with_groups(), layout, H5P_DEFAULT),
+                                  hdf5_with_groups(), layout, H5P_DEFAULT),
                        H5Dclose);
   if (!mapped || !dataset.valid()) open_->write_failed(item, "write this view");
 }
 
+void Hdf5File::Open::set_attribute(const std::string& item, const std::string& name,
+                                   const void* values, std::pair<hid_t, hid_t> types,
+                                   const Extents& shape) {
+  const auto [stored, in_memory] = types;
+  const Hdf5Id object(H5Oopen(file, item.c_str(), H5P_DEFAULT), H5Oclose);
+  const auto replace = [&] {
+    if (H5Aexists(object, name.c_str()) > 0 && H5Adelete(object, name.c_str()) < 0) return false;
+    const Hdf5Id attribute(
+        H5Acreate2(object, name.c_str(), stored, hdf5_space(shape), H5P_DEFAULT, H5P_DEFAULT),
+        H5Aclose);
+    return attribute.valid() && H5Awrite(attribute, in_memory, values) >= 0;
+  };
+  if (!object.valid() || !replace()) write_failed(item + "@" + name, "write this attribute");
+}
+
+void Hdf5File::Open::set_texts(const std::string& item, const std::string& name,
+                               std::span<const std::string> texts, const Extents& shape) {
+  const Hdf5Id type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type, H5T_VARIABLE);
+  H5Tset_cset(type, H5T_CSET_UTF8);
+  std::vector<const char*> pointers;
+  for (const std::string& text : texts) pointers.push_back(text.c_str());
+  set_attribute(item, name, pointers.data(), {type, type}, shape);
+}
+
 void Hdf5File::set_attribute(const std::string& item, const std::string& name,
                              const std::string& text) {
-  const Hdf5Id type = hdf5_text_type();
-  const char* pointer = text.c_str();
-  if (!write_attribute(open_->file, item, name, &pointer, type, type, {}))
-    open_->write_failed(item + "@" + name, "write this attribute");
-}
-
-void Hdf5File::set_attribute(const std::string& item, const std::string& name, const char* text) {
-  set_attribute(item, name, std::string(text));
-}
-
-void Hdf5File::set_attribute(const std::string& item, const std::string& name, double value) {
-  if (!write_attribute(open_->file, item, name, &value, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, {}))
-    open_->write_failed(item + "@" + name, "write this attribute");
-}
-
-void Hdf5File::set_attribute(const std::string& item, const std::string& name, std::int64_t value) {
-  if (!write_attribute(open_->file, item, name, &value, H5T_STD_I64LE, H5T_NATIVE_INT64, {}))
-    open_->write_failed(item + "@" + name, "write this attribute");
+  open_->set_texts(item, name, std::span(&text, 1), {});
 }
 
 void Hdf5File::set_attribute(const std::string& item, const std::string& name,
                              const std::vector<std::string>& texts) {
-  const Hdf5Id type = hdf5_text_type();
-  if (!write_attribute(open_->file, item, name, pointers(texts).data(), type, type, {texts.size()}))
-    open_->write_failed(item + "@" + name, "write this attribute");
+  open_->set_texts(item, name, texts, {texts.size()});
+}
+
+void Hdf5File::set_attribute(const std::string& item, const std::string& name, std::int64_t value) {
+  open_->set_attribute(item, name, &value, types_of<std::int64_t>(), {});
 }
 
 void Hdf5File::flush() {

@@ -58,15 +58,19 @@ struct Hdf5File::Open {
   Hdf5Id file;
   std::map<std::string, Hdf5Series> series;
 
-  Hdf5Series& find_series(const std::string& item);
+  /// `types` are those in the file and in memory.
+  void set_attribute(const std::string& item, const std::string& name, const void* values,
+                     std::pair<hid_t, hid_t> types, const Extents& shape);
+  void set_texts(const std::string& item, const std::string& name,
+                 std::span<const std::string> texts, const Extents& shape);
   [[noreturn]] void write_failed(const std::string& item, const char* action) const;
   [[noreturn]] void read_failed(const std::string& item, const char* action) const;
 };
 
 /// The innermost reason on HDF5's error stack, empty if there is none.
 std::string hdf5_reason();
-/// The type of a text of any length, UTF-8.
-Hdf5Id hdf5_text_type();
+/// Makes the groups on the way to an item.
+Hdf5Id hdf5_with_groups();
 /// A shape as HDF5 wants it: no directions for a single value.
 Hdf5Id hdf5_space(const Extents& shape);
 std::vector<hsize_t> hdf5_extent(hid_t space);

@@ -38,19 +38,14 @@ Hdf5Id uncached() {
   return list;
 }
 
+Hdf5Id open_dataset(hid_t file, const std::string& item) {
+  return {H5Dopen2(file, item.c_str(), H5P_DEFAULT), H5Dclose};
+}
+
 }  // namespace
 
 std::size_t Hdf5Series::row_size() const {
   return std::accumulate(extent.begin() + 1, extent.end(), std::size_t{1}, std::multiplies<>());
-}
-
-Hdf5Series& Hdf5File::Open::find_series(const std::string& item) {
-  if (const auto found = series.find(item); found != series.end()) return found->second;
-  Hdf5Series opened{Hdf5Id(H5Dopen2(file, item.c_str(), uncached()), H5Dclose), {}};
-  if (!opened.dataset.valid()) read_failed(item, "open this series");
-  opened.extent = hdf5_extent(Hdf5Id(H5Dget_space(opened.dataset), H5Sclose));
-  if (opened.extent.empty()) read_failed(item, "use a single value as a series");
-  return series.emplace(item, std::move(opened)).first->second;
 }
 
 void Hdf5File::create_series(const std::string& item, const Extents& row_shape,
@@ -63,20 +58,18 @@ void Hdf5File::create_series(const std::string& item, const Extents& row_shape,
   const auto rank = static_cast<int>(limit.size());
   const std::vector<hsize_t> chunk = chunk_of(row_shape, chunk_rows);
   const Hdf5Id space(H5Screate_simple(rank, created.extent.data(), limit.data()), H5Sclose);
-  const Hdf5Id groups(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
-  H5Pset_create_intermediate_group(groups, 1);
   const Hdf5Id layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   H5Pset_chunk(layout, rank, chunk.data());
   H5Pset_fill_time(layout, H5D_FILL_TIME_NEVER);  // a row is written as soon as it is there
-  created.dataset = Hdf5Id(
-      H5Dcreate2(open_->file, item.c_str(), H5T_IEEE_F64LE, space, groups, layout, uncached()),
-      H5Dclose);
+  created.dataset = Hdf5Id(H5Dcreate2(open_->file, item.c_str(), H5T_IEEE_F64LE, space,
+                                      hdf5_with_groups(), layout, uncached()),
+                           H5Dclose);
   if (!created.dataset.valid()) open_->write_failed(item, "create this series");
   open_->series.insert_or_assign(item, std::move(created));
 }
 
 void Hdf5File::append(const std::string& item, std::span<const double> values) {
-  Hdf5Series& series = open_->find_series(item);
+  Hdf5Series& series = open_->series.at(item);
   const std::size_t row_size = series.row_size();
   if (values.empty() && row_size > 0) return;
   assert(row_size == 0 || values.size() % row_size == 0);
@@ -97,6 +90,41 @@ void Hdf5File::append(const std::string& item, std::span<const double> values) {
                       H5Sclose);
   if (H5Dwrite(series.dataset, H5T_NATIVE_DOUBLE, source, target, H5P_DEFAULT, values.data()) < 0)
     open_->write_failed(item, "write to this series");
+}
+
+Extents Hdf5File::shape(const std::string& item) const {
+  if (const auto found = open_->series.find(item); found != open_->series.end())
+    return {found->second.extent.begin(), found->second.extent.end()};
+  const Hdf5Id dataset = open_dataset(open_->file, item);
+  if (!dataset.valid()) open_->read_failed(item, "open this data set");
+  const auto extent = hdf5_extent(Hdf5Id(H5Dget_space(dataset), H5Sclose));
+  return {extent.begin(), extent.end()};
+}
+
+std::size_t Hdf5File::rows(const std::string& item) const {
+  const Extents lengths = shape(item);
+  return lengths.empty() ? 1 : lengths[0];
+}
+
+Hdf5Array<double> Hdf5File::read_rows(const std::string& item, std::size_t first,
+                                      std::size_t count) const {
+  Hdf5Array<double> array{shape(item), {}};
+  if (array.shape.empty() || first > array.shape[0] || count > array.shape[0] - first)
+    open_->read_failed(item, "read rows that are not there");
+  array.shape[0] = count;
+  array.values.resize(hdf5_count(array.shape));
+  if (array.values.empty()) return array;
+  const Hdf5Id dataset = open_dataset(open_->file, item);
+  const std::vector<hsize_t> extent(array.shape.begin(), array.shape.end());
+  std::vector<hsize_t> start(extent.size(), 0);
+  start[0] = first;
+  const Hdf5Id source(H5Dget_space(dataset), H5Sclose);
+  H5Sselect_hyperslab(source, H5S_SELECT_SET, start.data(), nullptr, extent.data(), nullptr);
+  const Hdf5Id target(H5Screate_simple(static_cast<int>(extent.size()), extent.data(), nullptr),
+                      H5Sclose);
+  if (H5Dread(dataset, H5T_NATIVE_DOUBLE, target, source, H5P_DEFAULT, array.values.data()) < 0)
+    open_->read_failed(item, "read rows of this data set");
+  return array;
 }
 
 }  // namespace tlsph

@@ -1,10 +1,13 @@
 #include "tlsph/io/json.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <ranges>
 
 #include "tlsph/core/error.hpp"
 #include "tlsph/io/files.hpp"
@@ -18,34 +21,34 @@ struct Json::Tree {
 
   Node& make(std::string_view path) {
     Node* node = &root;
-    for (std::size_t begin = 0; begin <= path.size();) {
-      const std::size_t end = std::min(path.find('.', begin), path.size());
+    for (const auto key : std::views::split(path, '.')) {
       assert(node->is_object() || node->is_null());
-      node = &(*node)[std::string(path.substr(begin, end - begin))];
-      begin = end + 1;
+      node = &(*node)[std::string(key.begin(), key.end())];
     }
     return *node;
   }
 
   [[nodiscard]] const Node* find(std::string_view path) const {
     const Node* node = &root;
-    for (std::size_t begin = 0; begin <= path.size();) {
-      const std::size_t end = std::min(path.find('.', begin), path.size());
+    for (const auto key : std::views::split(path, '.')) {
       if (!node->is_object()) return nullptr;
-      const auto child = node->find(std::string(path.substr(begin, end - begin)));
+      const auto child = node->find(std::string(key.begin(), key.end()));
       if (child == node->end()) return nullptr;
       node = &*child;
-      begin = end + 1;
     }
     return node;
   }
 
+  [[nodiscard]] const Node& at(std::string_view path) const {
+    if (const Node* node = find(path)) return *node;
+    throw InputError(std::string(path) + ": missing");
+  }
+
   template <class T>
-  [[nodiscard]] T get(std::string_view path, bool (*fits)(const Node&), const char* type) const {
-    const Node* node = find(path);
-    if (node == nullptr) throw InputError(std::string(path) + ": missing");
-    if (!fits(*node)) throw InputError(std::string(path) + ": must be " + type);
-    return node->get<T>();
+  [[nodiscard]] T get(std::string_view path, const auto& fits, const char* type) const {
+    const Node& node = at(path);
+    if (!std::invoke(fits, node)) throw InputError(std::string(path) + ": must be " + type);
+    return node.get<T>();
   }
 };
 
@@ -91,55 +94,37 @@ void Json::set(std::string_view path, Json value) {
   tree_->make(path) = std::move(value.tree_->root);
 }
 
-void Json::append(std::string_view path, Json element) {
-  make_list(path);
-  tree_->make(path).push_back(std::move(element.tree_->root));
-}
-
-void Json::make_list(std::string_view path) {
-  Node& node = tree_->make(path);
-  if (!node.is_array()) node = Node::array();
-}
-
 bool Json::has(std::string_view path) const {
   return tree_->find(path) != nullptr;
 }
 
 bool Json::is_null(std::string_view path) const {
-  const Node* node = tree_->find(path);
-  if (node == nullptr) throw InputError(std::string(path) + ": missing");
-  return node->is_null();
+  return tree_->at(path).is_null();
 }
 
 double Json::number(std::string_view path) const {
-  return tree_->get<double>(
-      path, [](const Node& node) { return node.is_number(); }, "a number");
+  return tree_->get<double>(path, &Node::is_number, "a number");
 }
 
 std::int64_t Json::integer(std::string_view path) const {
-  return tree_->get<std::int64_t>(
-      path, [](const Node& node) { return node.is_number_integer(); }, "an integer");
+  return tree_->get<std::int64_t>(path, &Node::is_number_integer, "an integer");
 }
 
 std::string Json::text(std::string_view path) const {
-  return tree_->get<std::string>(
-      path, [](const Node& node) { return node.is_string(); }, "a text");
+  return tree_->get<std::string>(path, &Node::is_string, "a text");
 }
 
 std::vector<double> Json::numbers(std::string_view path) const {
   const auto fits = [](const Node& node) {
-    return node.is_array() &&
-           std::all_of(node.begin(), node.end(), [](const Node& item) { return item.is_number(); });
+    return node.is_array() && std::ranges::all_of(node, &Node::is_number);
   };
   return tree_->get<std::vector<double>>(path, fits, "a list of numbers");
 }
 
 std::vector<Json> Json::list(std::string_view path) const {
-  const Node* node = tree_->find(path);
-  if (node == nullptr) throw InputError(std::string(path) + ": missing");
-  if (!node->is_array()) throw InputError(std::string(path) + ": must be a list");
-  std::vector<Json> elements(node->size());
-  for (std::size_t i = 0; i < elements.size(); ++i) elements[i].tree_->root = (*node)[i];
+  std::vector<Json> elements;
+  for (const Node& node : tree_->get<Node>(path, &Node::is_array, "a list"))
+    elements.emplace_back().tree_->root = node;
   return elements;
 }
 

@@ -6,9 +6,8 @@
 #include <functional>
 #include <numeric>
 
+#include "system.hpp"
 #include "tlsph/core/error.hpp"
-#include "tlsph/io/xdmf.hpp"
-#include "trial.hpp"
 
 namespace tlsph {
 namespace {
@@ -23,18 +22,30 @@ std::string series_of(const SeriesQuantity& quantity) {
   return "/series/" + quantity.name;
 }
 
-Extents frame_shape(const RunLayout& layout, const FrameField& field) {
-  Extents shape{layout.rows(field)};
-  if (field.rank != Rank::scalar) shape.push_back(layout.components(field));
-  return shape;
-}
+/// A data set that grows row by row.
+struct Series {
+  std::string item;
+  Extents row_shape;
+  std::string unit;
+  bool is_field = false;  ///< else its rows are small
 
-Extents series_shape(const SeriesQuantity& quantity) {
-  return quantity.components == 1 ? Extents{} : Extents{quantity.components};
-}
+  [[nodiscard]] std::size_t rows(const RunRows& written) const {
+    return item.starts_with("/frames/") ? written.frames : written.series;
+  }
+};
 
-const char* name_of(Site site) {
-  return site == Site::particles ? "particles" : "points";
+std::vector<Series> series_in(const RunLayout& layout) {
+  std::vector<Series> all = {{"/frames/time", {}, "s"}, {"/series/time", {}, "s"}};
+  for (const FrameField& field : layout.fields) {
+    Extents shape{layout.rows(field)};
+    if (field.rank != Rank::scalar) shape.push_back(layout.components(field));
+    all.push_back({frames_of(field), std::move(shape), field.unit, true});
+  }
+  for (const SeriesQuantity& quantity : layout.series)
+    all.push_back({series_of(quantity),
+                   quantity.components == 1 ? Extents{} : Extents{quantity.components},
+                   quantity.unit});
+  return all;
 }
 
 /// Positions in three dimensions and the number of each vertex: what viewers want of points.
@@ -45,28 +56,16 @@ void write_vertices(Hdf5File& file, const std::string& group, const CloudView& c
       positions[3 * i + a] = cloud.X[cloud.dimension * i + a];
   std::vector<std::int32_t> vertices(cloud.size());
   std::iota(vertices.begin(), vertices.end(), 0);
-  file.write(group + "/positions", positions, {cloud.size(), 3});
-  file.set_attribute(group + "/positions", "unit", "m");
+  file.write(group + "/positions", positions, {cloud.size(), 3}, "m");
   file.write(group + "/vertices", vertices, {cloud.size(), 1});
 }
 
-/// The nodes of every point that is a cell.
-void write_cells(Hdf5File& file, const RunLayout& layout, std::span<const std::int32_t> cells) {
-  const std::size_t corners = std::size_t{1} << layout.dimension;
-  assert(cells.size() == corners * layout.points);
-  file.write("/points/cells", cells, {layout.points, corners});
-  file.set_attribute("/points/cells", "unit", "1");
-}
-
-/// The triangles of a cloud and, where they are the points, their edges.
-void write_triangles(Hdf5File& file, const RunLayout& layout, const RunStart& start) {
-  assert(start.triangles.size() == 3 * layout.triangles);
-  file.write("/particles/triangles", start.triangles, {layout.triangles, 3});
-  file.set_attribute("/particles/triangles", "unit", "1");
-  if (start.edges.empty()) return;
-  assert(start.edges.size() == 4 * layout.points);
-  file.write("/points/edges", start.edges, {layout.points, 4});
-  file.set_attribute("/points/edges", "unit", "1");
+/// Numbers of nodes or lines, `width` for each of `count`; nothing where there are none.
+void write_numbers(Hdf5File& file, const std::string& item, std::span<const std::int32_t> numbers,
+                   std::size_t count, std::size_t width) {
+  if (numbers.empty()) return;
+  assert(numbers.size() == count * width);
+  file.write(item, numbers, width == 1 ? Extents{count} : Extents{count, width}, "1");
 }
 
 void expect_shape(const Hdf5File& file, const std::string& item, const Extents& row_shape,
@@ -121,28 +120,22 @@ Hdf5File create_file(const std::filesystem::path& path, const RunLayout& layout,
   write_cloud(file, "/particles", start.particles);
   write_cloud(file, "/points", start.points);
   write_vertices(file, "/xdmf/particles", start.particles);
-  if (layout.points_are_cells) write_cells(file, layout, start.cells);
-  if (layout.triangles > 0) write_triangles(file, layout, start);
-  if (!start.line.empty()) {
-    file.write("/particles/line", start.line, {layout.particles});
-    file.set_attribute("/particles/line", "unit", "1");
+  write_numbers(file, "/points/cells", start.cells, layout.points,
+                std::size_t{1} << layout.dimension);
+  write_numbers(file, "/particles/triangles", start.triangles, layout.triangles, 3);
+  write_numbers(file, "/points/edges", start.edges, layout.points, 4);
+  write_numbers(file, "/particles/line", start.line, layout.particles, 1);
+  if (!layout.points_are_cells) write_vertices(file, "/xdmf/points", start.points);
+  for (const auto& [item, row_shape, unit, is_field] : series_in(layout)) {
+    file.create_series(item, row_shape, is_field ? 0 : series_chunk_rows);
+    file.set_attribute(item, "unit", unit);
   }
-  if (!draws_cells(layout)) write_vertices(file, "/xdmf/points", start.points);
-  file.create_series("/frames/time", {}, series_chunk_rows);
-  file.set_attribute("/frames/time", "unit", "s");
-  for (const auto& field : layout.fields) {
-    const std::string item = frames_of(field);
-    file.create_series(item, frame_shape(layout, field));
-    file.set_attribute(item, "unit", field.unit);
-    file.set_attribute(item, "site", name_of(field.site));
+  for (const FrameField& field : layout.fields) {
+    file.set_attribute(frames_of(field), "site",
+                       field.site == Site::particles ? "particles" : "points");
     if (field.rank != Rank::scalar)
-      file.set_attribute(item, "components", component_names(field.rank, layout.dimension));
-  }
-  file.create_series("/series/time", {}, series_chunk_rows);
-  file.set_attribute("/series/time", "unit", "s");
-  for (const auto& quantity : layout.series) {
-    file.create_series(series_of(quantity), series_shape(quantity), series_chunk_rows);
-    file.set_attribute(series_of(quantity), "unit", quantity.unit);
+      file.set_attribute(frames_of(field), "components",
+                         component_names(field.rank, layout.dimension));
   }
   return file;
 }
@@ -151,20 +144,15 @@ Hdf5File create_file(const std::filesystem::path& path, const RunLayout& layout,
 void read_series(const std::filesystem::path& path, const RunLayout& layout, const RunRows& rows,
                  const std::function<void(const std::string&, std::span<const double>)>& take) {
   const Hdf5File file = Hdf5File::open_read_only(path);
-  expect_shape(file, "/frames/time", {}, rows.frames);
-  expect_shape(file, "/series/time", {}, rows.series);
-  for (const auto& field : layout.fields)
-    expect_shape(file, frames_of(field), frame_shape(layout, field), rows.frames);
-  for (const auto& quantity : layout.series)
-    expect_shape(file, series_of(quantity), series_shape(quantity), rows.series);
-  const auto read = [&](const std::string& item, std::size_t count, std::size_t at_once) {
+  const std::vector<Series> all = series_in(layout);
+  for (const Series& series : all)
+    expect_shape(file, series.item, series.row_shape, series.rows(rows));
+  for (const Series& series : all) {
+    const std::size_t count = series.rows(rows), at_once = series.is_field ? 1 : buffered_rows;
     for (std::size_t first = 0; first < count; first += at_once)
-      take(item, file.read_rows(item, first, std::min(at_once, count - first)).values);
-  };
-  for (const auto& field : layout.fields) read(frames_of(field), rows.frames, 1);
-  for (const auto& quantity : layout.series) read(series_of(quantity), rows.series, buffered_rows);
-  read("/series/time", rows.series, buffered_rows);
-  read("/frames/time", rows.frames, buffered_rows);
+      take(series.item,
+           file.read_rows(series.item, first, std::min(at_once, count - first)).values);
+  }
 }
 
 /// InputError unless the file at `path` can be read and holds what was written.
@@ -189,11 +177,6 @@ RunFile::RunFile(const std::filesystem::path& path, const RunLayout& layout, con
   series_values_.resize(layout_.series.size());
   for (std::size_t q = 0; q < layout_.series.size(); ++q)
     series_values_[q].reserve(buffered_rows * layout_.series[q].components);
-}
-
-RunFile RunFile::create(const std::filesystem::path& path, const RunLayout& layout,
-                        const RunStart& start) {
-  return RunFile(path, layout, start);
 }
 
 RunFile RunFile::resume(const std::filesystem::path& path, const RunLayout& layout,
@@ -242,15 +225,11 @@ void RunFile::write_series(double time, std::span<const double> values) {
   ++series_rows_;
 }
 
-void RunFile::append_series() {
+void RunFile::commit(std::span<const double> frame_time) {
   for (std::size_t q = 0; q < layout_.series.size(); ++q) {
     append(series_of(layout_.series[q]), series_values_[q]);
     series_values_[q].clear();
   }
-}
-
-void RunFile::commit(std::span<const double> frame_time) {
-  append_series();
   // Two flushes: a single one may hand over `time` before the rest.
   file_.flush();
   append("/frames/time", frame_time);

@@ -1,5 +1,4 @@
-#include "trial.hpp"
-
+// Files that a library may not survive, tried in a process of their own.
 #include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>

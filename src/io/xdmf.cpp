@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <initializer_list>
 #include <iterator>
+#include <map>
 
 #include "tlsph/io/files.hpp"
 
@@ -19,19 +20,10 @@ void add(Text& text, fmt::format_string<Values...> format, Values&&... values) {
 }
 
 std::string escaped(const std::string& raw) {
+  const std::map<char, std::string> entities = {
+      {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}};
   std::string text;
-  for (char c : raw) {
-    if (c == '&')
-      text += "&amp;";
-    else if (c == '<')
-      text += "&lt;";
-    else if (c == '>')
-      text += "&gt;";
-    else if (c == '"')
-      text += "&quot;";
-    else
-      text += c;
-  }
+  for (char c : raw) text += entities.contains(c) ? entities.at(c) : std::string(1, c);
   return text;
 }
 
@@ -65,7 +57,7 @@ struct Document {
 
   void field(const FrameField& field, std::size_t frame) {
     const std::size_t rows = layout.rows(field);
-    const bool cells = draws_cells(layout) && field.site == Site::points;
+    const bool cells = layout.points_are_cells && field.site == Site::points;
     for (const View& view : views_of(layout, field))
       add(text,
           "<Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"{}\"><DataItem Format=\"HDF\" "
@@ -101,7 +93,7 @@ struct Document {
     add(text, "<Time Value=\"{:.17g}\"/>\n", time);
     if (nodes && layout.triangles > 0)
       cells("Triangle", layout.triangles, 3, "/particles/triangles");
-    else if (draws_cells(layout))
+    else if (layout.points_are_cells)
       cells(layout.dimension == 1 ? "Polyline" : "Quadrilateral", layout.points,
             std::size_t{1} << layout.dimension, "/points/cells");
     else
@@ -126,16 +118,12 @@ struct Document {
 
 }  // namespace
 
-bool draws_cells(const RunLayout& layout) {
-  return layout.points_are_cells;
-}
-
 std::string xdmf_document(const RunLayout& layout, std::span<const double> times,
                           const std::string& run_file, const std::string& view_file) {
   Document document{layout, run_file, view_file};
   add(document.text,
       "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Xdmf Version=\"3.0\">\n<Domain>\n");
-  if (draws_cells(layout) || layout.points_are_nodes) {
+  if (layout.points_are_cells || layout.points_are_nodes) {
     document.series("body", {Site::particles, Site::points}, times);
   } else {
     // The particles last: a reader that takes one collection only takes the last.

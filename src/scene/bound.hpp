@@ -13,11 +13,9 @@
 #include <vector>
 
 #include "codec.hpp"
+#include "tlsph/scene/edit.hpp"
 
 namespace tlsph {
-
-/// Which keys are printed: those that a scene gives, or those too that have their default.
-enum class Printed { given, all };
 
 /// A key of a table kept in a T.
 template <class T>
@@ -100,8 +98,8 @@ template <class T, class V>
   if constexpr (requires { C::below; }) below = C::below;
   if constexpr (requires { C::words(); })
     if (allowed.words.empty()) allowed.words = C::words();
-  return {{"", name, C::forms, std::move(below), std::move(unit), std::move(standard),
-           std::move(allowed), std::move(meaning)},
+  return {{"", name, C::forms, std::move(unit), std::move(allowed), std::move(meaning),
+           std::move(below), std::move(standard)},
           [=](T& table, const TableView& view, const Scene& scene) {
             if constexpr (requires { (table.*member).place; })
               (table.*member).place = view.place_of(name);
@@ -171,7 +169,7 @@ namespace detail {
 template <class T, class V, class Part>
 [[nodiscard]] Row<T> nested(Part part, const Table<V>& below, const std::string& name,
                             std::string meaning) {
-  return {{"", name, table, below.group, "", "(none)", {}, std::move(meaning)},
+  return {{"", name, table, "", {}, std::move(meaning), below.group},
           [=, &below](T& owner, const TableView& view, const Scene& scene) {
             read_table(std::invoke(part, owner), view.table(name), below, scene);
           },
@@ -200,7 +198,7 @@ template <class T>
 template <class T, class V>
 [[nodiscard]] Row<T> list_key(std::vector<V> T::*member, const Table<V>& below,
                               const std::string& name, std::string meaning) {
-  return {{"", name, tables, below.group, "", "(none)", {}, std::move(meaning)},
+  return {{"", name, tables, "", {}, std::move(meaning), below.group},
           [=, &below](T& owner, const TableView& view, const Scene& scene) {
             for (const TableView& item : view.tables(name))
               read_table((owner.*member).emplace_back(), item, below, scene);

@@ -1,8 +1,9 @@
-// Checks of a scene's tree against the key table: names, types, ranges.
+// Checks of a scene's tree against the key table: names, types, ranges; views of what is checked.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -13,12 +14,10 @@ namespace {
 
 void check_number(const Node& node, const Key& key) {
   const double x = node.number();
-  if (!std::isfinite(x))
-    throw InputError(node.place, fmt::format("must be a finite number, not {}", print_value(node)));
+  if (!std::isfinite(x)) fail_at(node.place, "must be a finite number, not {}", print_value(node));
   const std::optional<Range>& range = key.allowed.range;
   if (range && !range->contains(x))
-    throw InputError(node.place,
-                     fmt::format("must be {}, not {}", range->requirement(), print_value(node)));
+    fail_at(node.place, "must be {}, not {}", range->requirement(), print_value(node));
 }
 
 void check_word(const Node& node, const Key& key) {
@@ -26,66 +25,44 @@ void check_word(const Node& node, const Key& key) {
   const std::string& word = *node.text();
   if (words.empty() || std::find(words.begin(), words.end(), word) != words.end()) return;
   const std::string near = nearest(word, words);
-  throw InputError(node.place,
-                   fmt::format("unknown word \"{}\"{}; allowed: {}", word,
-                               near.empty() ? "" : fmt::format(", did you mean \"{}\"", near),
-                               fmt::join(words, ", ")));
+  fail_at(node.place, "unknown word \"{}\"{}; allowed: {}", word,
+          near.empty() ? "" : fmt::format(", did you mean \"{}\"", near), fmt::join(words, ", "));
 }
 
-bool is_number_list(const Node& node) {
-  const auto* list = node.list();
-  return list &&
-         std::all_of(list->begin(), list->end(), [](const Node& x) { return x.is_number(); });
+/// The form of the items of a list of that form; empty if it is no list.
+std::optional<Form> items_of(Form form) {
+  switch (form) {
+    case numbers:
+      return number;
+    case points:
+      return numbers;
+    case texts:
+      return text;
+    case tables:
+      return table;
+    default:
+      return std::nullopt;
+  }
 }
 
-bool is_point_list(const Node& node) {
-  const auto* list = node.list();
-  return list && std::all_of(list->begin(), list->end(), is_number_list);
-}
-
-bool is_text_list(const Node& node) {
-  const auto* list = node.list();
-  return list && std::all_of(list->begin(), list->end(), [](const Node& x) { return x.text(); });
-}
-
-bool is_table_list(const Node& node) {
-  const auto* list = node.list();
-  return list && std::all_of(list->begin(), list->end(), [](const Node& x) { return x.table(); });
-}
-
-/// Which of the forms a key allows the value has, 0 if none.
-unsigned form_of(const Node& node, unsigned allowed) {
-  const auto has = [&](Form form, bool fits) { return (allowed & form) != 0 && fits; };
-  if (has(flag, node.flag())) return flag;
-  if (has(integer, node.integer())) return integer;
-  if (has(number, node.is_number())) return number;
-  if (has(text, node.text())) return text;
-  if (has(table, node.table())) return table;
-  if (has(numbers, is_number_list(node))) return numbers;
-  if (has(points, is_point_list(node))) return points;
-  if (has(texts, is_text_list(node))) return texts;
-  if (has(tables, is_table_list(node))) return tables;
-  return 0;
+bool fits(const Node& node, Form form) {
+  if (const auto item_form = items_of(form))
+    return node.list() && std::ranges::all_of(*node.list(), [&](const Node& item) {
+             return fits(item, *item_form);
+           });
+  return (form == flag && node.flag()) || (form == integer && node.integer()) ||
+         (form == number && node.is_number()) || (form == text && node.text()) ||
+         (form == table && node.table());
 }
 
 std::string describe_forms(unsigned forms) {
-  std::vector<std::string> parts;
-  const auto add = [&](Form form, const char* words) {
-    if ((forms & form) != 0) parts.emplace_back(words);
-  };
-  add(flag, "true or false");
-  add(integer, "a whole number");
-  add(number, "a number");
-  add(text, "a text in quotes");
-  add(numbers, "a list of numbers");
-  add(points, "a list of points [x, …]");
-  add(texts, "a list of texts");
-  add(table, "a table");
-  add(tables, "a list of tables");
-  std::string result = parts.front();
-  for (std::size_t i = 1; i < parts.size(); ++i)
-    result += (i + 1 == parts.size() ? " or " : ", ") + parts[i];
-  return result;
+  std::string result, last;
+  for (const FormWords& words : form_words) {
+    if ((forms & words.form) == 0) continue;
+    if (!last.empty()) result += (result.empty() ? "" : ", ") + last;
+    last = words.in_messages;
+  }
+  return result.empty() ? last : result + " or " + last;
 }
 
 /// `path` with the key of another name in place of its last part.
@@ -107,41 +84,29 @@ std::string sibling(const std::string& path, const std::string& from, const std:
       if (key.name == entry.name && hint.empty() && find_key("", key.group))
         hint = fmt::format(", did you mean {}.{}", key.group, key.name);
   }
-  throw InputError(entry.place,
-                   fmt::format("unknown key{}; allowed here: {}", hint, fmt::join(names, ", ")));
+  fail_at(entry.place, "unknown key{}; allowed here: {}", hint, fmt::join(names, ", "));
 }
 
 void check_table(const Node& node, const std::string& group);
 
+void check_form(const Node& node, const Key& key, Form form) {
+  if (const auto item_form = items_of(form))
+    for (const Node& item : *node.list()) check_form(item, key, *item_form);
+  else if (form == integer || form == number)
+    check_number(node, key);
+  else if (form == text)
+    check_word(node, key);
+  else if (form == table)
+    check_table(node, key.below);
+}
+
 void check_value(const Node& node, const Key& key) {
-  const unsigned form = form_of(node, key.forms);
-  switch (form) {
-    case 0:
-      throw InputError(
-          node.place, fmt::format("must be {}, not {}", describe_forms(key.forms), describe(node)));
-    case integer:
-    case number:
-      return check_number(node, key);
-    case text:
-      return check_word(node, key);
-    case numbers:
-      for (const Node& item : *node.list()) check_number(item, key);
-      return;
-    case points:
-      for (const Node& point : *node.list())
-        for (const Node& item : *point.list()) check_number(item, key);
-      return;
-    case texts:
-      for (const Node& item : *node.list()) check_word(item, key);
-      return;
-    case table:
-      return check_table(node, key.below);
-    case tables:
-      for (const Node& item : *node.list()) check_table(item, key.below);
-      return;
-    default:
-      return;
-  }
+  const auto* found = std::ranges::find_if(form_words, [&](const FormWords& words) {
+    return (key.forms & words.form) != 0 && fits(node, words.form);
+  });
+  if (found == std::end(form_words))
+    fail_at(node.place, "must be {}, not {}", describe_forms(key.forms), describe(node));
+  check_form(node, key, found->form);
 }
 
 /// Names first, for the whole table: a misspelt name explains what would follow from it.
@@ -206,6 +171,54 @@ std::string describe(const Node& node) {
 
 void check_document(const Node& root) {
   check_table(root, "");
+}
+
+const Key& TableView::key(std::string_view name) const {
+  const Key* found = find_key(group_, name);
+  assert(found && "the reader asks only for keys of the key table");
+  return *found;
+}
+
+const Node* TableView::find(std::string_view name) const {
+  static_cast<void>(key(name));
+  return node_ ? node_->find(name) : nullptr;
+}
+
+Place TableView::place_of(std::string_view name) const {
+  if (const Node* value = find(name)) return value->place;
+  Place place = place_;
+  place.key = join_path(path_, std::string(name));
+  return place;
+}
+
+TableView TableView::table(std::string_view name) const {
+  if (const Node* value = find(name)) return {*value, key(name).below};
+  return {key(name).below, join_path(path_, std::string(name)), place_of(name)};
+}
+
+std::vector<TableView> TableView::tables(std::string_view name) const {
+  std::vector<TableView> views;
+  if (const Node* value = find(name))
+    for (const Node& item : *value->list()) views.emplace_back(item, key(name).below);
+  return views;
+}
+
+const Node& TableView::require(std::string_view name) const {
+  if (const Node* value = find(name)) return *value;
+  const Key& missing = key(name);
+  std::string what = missing.doc;
+  if (!missing.unit.empty()) what += (what.empty() ? "in " : ", in ") + missing.unit;
+  fail_at(place_of(name), "missing{}{}", what.empty() ? "" : ": ", what);
+}
+
+std::vector<double> read_vector(const Node& node, int length, const std::string& meaning) {
+  const auto& list = *node.list();
+  if (static_cast<int>(list.size()) != length)
+    fail_at(node.place, "must have {} number{}, {}, not {}", length, length == 1 ? "" : "s",
+            meaning, list.size());
+  std::vector<double> result;
+  for (const Node& item : list) result.push_back(item.number());
+  return result;
 }
 
 }  // namespace tlsph

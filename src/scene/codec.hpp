@@ -13,7 +13,6 @@
 #include "schema.hpp"
 #include "tlsph/scene/names.hpp"
 #include "tlsph/scene/scene.hpp"
-#include "view.hpp"
 
 namespace tlsph {
 
@@ -61,21 +60,18 @@ struct Codec<int> {
     constexpr auto most = std::numeric_limits<int>::max();
     const std::int64_t value = *node.integer();
     if (value > most || value < std::numeric_limits<int>::min())
-      throw InputError(node.place, fmt::format("must be at most {}, not {}", most, value));
+      fail_at(node.place, "must be at most {}, not {}", most, value);
     return static_cast<int>(value);
   }
   static Node print(int value) { return node_of(std::int64_t{value}); }
 };
 
 template <class E>
-requires requires {
-  Names<E>::list;
-}
-struct Codec<E> {
+requires(!word_list<E>.empty()) struct Codec<E> {
   static constexpr unsigned forms = text;
   static std::vector<std::string> words() {
     std::vector<std::string> all;
-    for (const auto& [name, entry] : Names<E>::list) all.emplace_back(name);
+    for (const auto& [name, entry] : word_list<E>) all.emplace_back(name);
     return all;
   }
   static E read(const Node& node, const Scene&) { return *from_name<E>(*node.text()); }

@@ -1,5 +1,4 @@
-#include "curves.hpp"
-
+// Curves in a scene: their keys, read and printed.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -93,13 +92,12 @@ double amplitude_of(const Curve& curve) {
 void check_history(const TableView& view, const TableCurve& table) {
   if (table.time.empty()) throw InputError(view.place_of("time"), "must have at least one instant");
   if (table.time.size() != table.values.size())
-    throw InputError(view.place_of("value"),
-                     fmt::format("must have as many entries as time, {}, not {}", table.time.size(),
-                                 table.values.size()));
+    fail_at(view.place_of("value"), "must have as many entries as time, {}, not {}",
+            table.time.size(), table.values.size());
   for (std::size_t i = 1; i < table.time.size(); ++i)
     if (!(table.time[i - 1] < table.time[i]))
-      throw InputError(view.place_of("time"), fmt::format("must increase, but {} follows {}",
-                                                          table.time[i], table.time[i - 1]));
+      fail_at(view.place_of("time"), "must increase, but {} follows {}", table.time[i],
+              table.time[i - 1]);
 }
 
 /// What a curve drives; a motion must be smooth: where its rate jumps, so does the velocity.
@@ -113,9 +111,8 @@ CurveShape read_curve_shape(const TableView& view, Drives drives) {
   if (kind.is_table()) takes.emplace_back("interpolation");
   for (const Entry& entry : *view.node()->table())
     if (entry.name != "curve" && std::ranges::find(takes, entry.name) == takes.end())
-      throw InputError(entry.place,
-                       fmt::format("does not belong to a {} curve, which takes {}{}", name,
-                                   fmt::join(takes, ", "), takes.size() == 1 ? " only" : ""));
+      fail_at(entry.place, "does not belong to a {} curve, which takes {}{}", name,
+              fmt::join(takes, ", "), takes.size() == 1 ? " only" : "");
   CurveShape shape{kind.start};
   for (const CurveKey& need : kind.needs) {
     const Node& node = view.require(need.name);
@@ -213,33 +210,28 @@ Node print_vector_load(const std::vector<ComponentCurve>& load, int dimension) {
 }
 
 std::vector<Key> curve_keys() {
-  const std::string none = "(none)";
+  const Allowed any;
   std::vector<std::string> kinds;
   for (const auto& kind : curve_kinds()) kinds.emplace_back(kind.name);
   return {
-      {"motion", "x", number | Form::table, "curve", "m", none, {}, "displacement in x"},
-      {"motion", "y", number | Form::table, "curve", "m", none, {}, "displacement in y"},
+      {"motion", "x", number | Form::table, "m", any, "displacement in x", "curve"},
+      {"motion", "y", number | Form::table, "m", any, "displacement in y", "curve"},
 
-      {"curve", "curve", text, "", "", "", Allowed(kinds),
+      {"curve", "curve", text, "", Allowed(kinds),
        "value over time, zero before t = 0; pulse: A/2 [erf((t-3r)/r) - erf((t-3r-T)/r)], r the "
-       "rise, T the duration"},
-      {"curve",
-       "amplitude",
-       number | numbers,
-       "",
-       "",
-       "(of a table: 1)",
-       {},
-       "largest value, in the unit of what the curve drives; of a table: a factor"},
-      {"curve", "rise", number, "", "s", none, above(0.0),
-       "ramp, smooth-ramp, pulse: time of rise"},
-      {"curve", "duration", number, "", "s", none, above(0.0), "pulse, sine-squared: length"},
-      {"curve", "time", numbers, "", "s", none, {}, "table: instants, increasing"},
-      {"curve", "value", numbers, "", "", none, {}, "table: the values then"},
-      {"curve", "interpolation", text, "", "", "(of a motion: cubic, of a load: linear)",
-       Allowed({"linear", "cubic"}),
+       "rise, T the duration",
+       "", ""},
+      {"curve", "amplitude", number | numbers, "", any,
+       "largest value, in the unit of what the curve drives; of a table: a factor", "",
+       "(of a table: 1)"},
+      {"curve", "rise", number, "s", above(0.0), "ramp, smooth-ramp, pulse: time of rise"},
+      {"curve", "duration", number, "s", above(0.0), "pulse, sine-squared: length"},
+      {"curve", "time", numbers, "s", any, "table: instants, increasing"},
+      {"curve", "value", numbers, "", any, "table: the values then"},
+      {"curve", "interpolation", text, "", Allowed({"linear", "cubic"}),
        "table: lines between the values, or a natural cubic spline: velocity and acceleration of "
-       "the motion are continuous, but it overshoots where values stop changing"},
+       "the motion are continuous, but it overshoots where values stop changing",
+       "", "(of a motion: cubic, of a load: linear)"},
   };
 }
 

@@ -14,16 +14,18 @@ namespace {
 /// Levels of tables and lists below the root, and parts of a dotted key: far more than a scene has.
 constexpr std::size_t deepest = 16;
 
-/// Where values come from: a file, or an override at `path`, whose values all share one place that
+/// Where text comes from: a file, or an override at `path`, whose values all share one place that
 /// already names the path.
 struct Origin {
   std::string file;
-  std::optional<std::string> path;
+  std::optional<std::string> path = {};
 
-  [[nodiscard]] Place at(const toml::source_region& source, const std::string& key) const {
+  [[nodiscard]] Place at(std::size_t line, std::size_t column, const std::string& key = "") const {
     if (path) return Place{file, 0, 0, key == *path ? "" : key};
-    return Place{file, static_cast<int>(source.begin.line), static_cast<int>(source.begin.column),
-                 key};
+    return Place{file, static_cast<int>(line), static_cast<int>(column), key};
+  }
+  [[nodiscard]] Place at(const toml::source_region& source, const std::string& key = "") const {
+    return at(source.begin.line, source.begin.column, key);
   }
 };
 
@@ -40,8 +42,8 @@ std::vector<Entry> convert_table(const toml::table& table, const Origin& origin,
                                                    convert(value, origin, below, depth)});
   }
   // The library sorts by name; the user's order is that of the file.
-  std::stable_sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) {
-    return std::pair(a.first.line, a.first.column) < std::pair(b.first.line, b.first.column);
+  std::ranges::stable_sort(entries, {}, [](const auto& entry) {
+    return std::pair(entry.first.line, entry.first.column);
   });
   std::vector<Entry> result;
   for (auto& [position, entry] : entries) result.push_back(std::move(entry));
@@ -52,27 +54,23 @@ std::vector<Entry> convert_table(const toml::table& table, const Origin& origin,
 Node convert(const toml::node& node, const Origin& origin, const std::string& path,
              std::size_t depth) {
   if (depth > deepest)
-    throw InputError(origin.at(node.source(), ""),
-                     fmt::format("more than {} levels of tables and lists; no key of a scene lies "
-                                 "so deep",
-                                 deepest));
+    fail_at(origin.at(node.source()),
+            "more than {} levels of tables and lists; no key of a scene lies "
+            "so deep",
+            deepest);
   Node result{Unsupported{}, origin.at(node.source(), path), path};
-  if (const auto* flag = node.as_boolean()) {
-    result.value = flag->get();
-  } else if (const auto* integer = node.as_integer()) {
-    result.value = integer->get();
-  } else if (const auto* number = node.as_floating_point()) {
-    result.value = number->get();
-  } else if (const auto* text = node.as_string()) {
-    result.value = text->get();
-  } else if (const auto* table = node.as_table()) {
-    result.value = convert_table(*table, origin, path, depth + 1);
-  } else if (const auto* array = node.as_array()) {
-    std::vector<Node> items;
-    for (std::size_t i = 0; i < array->size(); ++i)
-      items.push_back(convert((*array)[i], origin, fmt::format("{}[{}]", path, i), depth + 1));
-    result.value = std::move(items);
-  }
+  node.visit([&]<class T>(const T& value) {
+    if constexpr (toml::is_table<T>) {
+      result.value = convert_table(value, origin, path, depth + 1);
+    } else if constexpr (toml::is_array<T>) {
+      std::vector<Node> items;
+      for (std::size_t i = 0; i < value.size(); ++i)
+        items.push_back(convert(value[i], origin, fmt::format("{}[{}]", path, i), depth + 1));
+      result.value = std::move(items);
+    } else if constexpr (!toml::is_chronological<T>) {
+      result.value = value.get();
+    }
+  });
   return result;
 }
 
@@ -97,30 +95,20 @@ std::size_t utf8_length(std::string_view text, std::size_t i) {
   return 0;
 }
 
-/// InputError at the first byte that is no text; in an override (`lines` false) without its
-/// position.
-void require_text(const std::string& text, const std::string& name, bool lines) {
-  const auto place = [&](int line, int column) {
-    return lines ? Place{name, line, column, ""} : Place{name, 0, 0, ""};
-  };
-  int line = 1;
-  int column = 1;
+/// InputError at the first byte that is no text.
+void require_text(const std::string& text, const Origin& origin) {
+  std::size_t line = 1, column = 1;
   for (std::size_t i = 0; i < text.size();) {
     if (text[i] == '\0')
-      throw InputError(place(line, column),
+      throw InputError(origin.at(line, column),
                        "a binary file, not a scene; a scene is TOML text in UTF-8");
     const std::size_t length = utf8_length(text, i);
     if (length == 0)
-      throw InputError(
-          place(line, column),
-          fmt::format("byte 0x{:02x} is not UTF-8; a scene is TOML text, save it as UTF-8",
-                      static_cast<unsigned char>(text[i])));
-    if (text[i] == '\n') {
-      ++line;
-      column = 1;
-    } else {
-      ++column;
-    }
+      fail_at(origin.at(line, column),
+              "byte 0x{:02x} is not UTF-8; a scene is TOML text, save it as UTF-8",
+              static_cast<unsigned char>(text[i]));
+    ++column;
+    if (text[i] == '\n') ++line, column = 1;
     i += length;
   }
 }
@@ -146,7 +134,7 @@ std::size_t end_of_string(const std::string& text, std::size_t i, std::size_t& l
 
 /// InputError at the first key of more dotted parts than any key of a scene has. The parser makes a
 /// table of each part, one in the other, and the way down a chain of thousands ends the stack.
-void require_short_keys(const std::string& text, const std::string& name, bool lines) {
+void require_short_keys(const std::string& text, const Origin& origin) {
   std::size_t line = 1, begin = 0, dots = 0;
   for (std::size_t i = 0; i < text.size();) {
     const char c = text[i];
@@ -157,10 +145,8 @@ void require_short_keys(const std::string& text, const std::string& name, bool l
     } else {
       const bool in_key = is_bare(std::string(1, c)) || c == ' ' || c == '\t';
       if (c == '.' && ++dots > deepest)
-        throw InputError(
-            lines ? Place{name, static_cast<int>(line), static_cast<int>(i - begin) + 1, ""}
-                  : Place{name, 0, 0, ""},
-            fmt::format("a key of more than {} parts; no key of a scene has as many", deepest));
+        fail_at(origin.at(line, i - begin + 1),
+                "a key of more than {} parts; no key of a scene has as many", deepest);
       if (c != '.' && !in_key) dots = 0;
       ++i;
       if (c == '\n') ++line, begin = i;
@@ -193,10 +179,12 @@ bool is_list_of_tables(const Node& node) {
          std::all_of(list->begin(), list->end(), [](const Node& item) { return item.table(); });
 }
 
-std::string print_entries(const std::vector<Entry>& entries) {
+/// `name = value` for each entry, separated.
+std::string print_entries(const std::vector<Entry>& entries, const char* separator) {
   std::string text;
-  for (const auto& [name, place, value] : entries)
-    text += fmt::format("{} = {}\n", print_key(name), print_value(value));
+  for (const Entry& entry : entries)
+    text += fmt::format("{}{} = {}", text.empty() ? "" : separator, print_key(entry.name),
+                        print_value(entry.value));
   return text;
 }
 
@@ -223,28 +211,27 @@ std::string join_path(const std::string& path, const std::string& name) {
 }
 
 Node parse_document(const std::string& text, const std::string& name) {
-  require_text(text, name, true);
-  require_short_keys(text, name, true);
+  const Origin origin{name};
+  require_text(text, origin);
+  require_short_keys(text, origin);
   try {
-    const toml::table table = toml::parse(text, name);
-    return Node{convert_table(table, Origin{name, std::nullopt}, "", 1), Place{name, 1, 1, ""}, ""};
+    return Node{convert_table(toml::parse(text, name), origin, "", 1), origin.at(1, 1), ""};
   } catch (const toml::parse_error& error) {
-    const auto& begin = error.source().begin;
-    throw InputError(Place{name, static_cast<int>(begin.line), static_cast<int>(begin.column), ""},
-                     fmt::format("not TOML: {}", error.description()));
+    fail_at(origin.at(error.source()), "not TOML: {}", error.description());
   }
 }
 
 std::optional<Node> parse_value(const std::string& text, const Place& place,
                                 const std::string& path) {
-  require_text(text, place.file, false);
+  const Origin origin{place.file, path};
+  require_text(text, origin);
   try {
     const std::string line = "value = " + text + "\n";
-    require_short_keys(line, place.file, false);
+    require_short_keys(line, origin);
     const toml::table table = toml::parse(line);
     // A line break in the text could smuggle in more entries: then it is no single value.
     if (table.size() != 1) return std::nullopt;
-    return convert(*table.get("value"), Origin{place.file, path}, path, 1);
+    return convert(*table.get("value"), origin, path, 1);
   } catch (const toml::parse_error&) {
     return std::nullopt;
   }
@@ -264,27 +251,27 @@ std::string print_value(const Node& node) {
     for (const auto& item : *list) text += (text.empty() ? "" : ", ") + print_value(item);
     return '[' + text + ']';
   }
-  if (const auto* entries = node.table()) {
-    std::string text;
-    for (const auto& [name, place, value] : *entries)
-      text +=
-          fmt::format("{}{} = {}", text.empty() ? "" : ", ", print_key(name), print_value(value));
-    return "{ " + text + " }";
-  }
+  if (const auto* entries = node.table()) return "{ " + print_entries(*entries, ", ") + " }";
   return "a date or time";
 }
 
 std::string print_document(const Node& root) {
+  const auto has_header = [](const Entry& entry) {
+    return entry.value.table() || is_list_of_tables(entry.value);
+  };
   std::string text;
-  for (const auto& [name, place, value] : *root.table())
-    if (!value.table() && !is_list_of_tables(value))
-      text += fmt::format("{} = {}\n", print_key(name), print_value(value));
-  for (const auto& [name, place, value] : *root.table()) {
-    if (const auto* entries = value.table())
-      text += fmt::format("\n[{}]\n{}", print_key(name), print_entries(*entries));
-    if (is_list_of_tables(value))
-      for (const auto& item : *value.list())
-        text += fmt::format("\n[[{}]]\n{}", print_key(name), print_entries(*item.table()));
+  const auto print = [&](const std::string& header, const std::vector<Entry>& entries) {
+    text += header + print_entries(entries, "\n") + (entries.empty() ? "" : "\n");
+  };
+  std::vector<Entry> top = *root.table();
+  std::erase_if(top, has_header);
+  print("", top);
+  for (const Entry& entry : *root.table()) {
+    const std::string name = print_key(entry.name);
+    if (const auto* entries = entry.value.table()) print(fmt::format("\n[{}]\n", name), *entries);
+    if (is_list_of_tables(entry.value))
+      for (const Node& item : *entry.value.list())
+        print(fmt::format("\n[[{}]]\n", name), *item.table());
   }
   return text;
 }

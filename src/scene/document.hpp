@@ -3,16 +3,26 @@
 /// A scene file as a tree of plain values, each with its place in the file. The only code that
 /// knows the TOML library is document.cpp.
 
+#include <fmt/format.h>
+
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "tlsph/core/error.hpp"
 
 namespace tlsph {
+
+/// Throws InputError, its message formatted.
+template <class... Values>
+[[noreturn]] void fail_at(const Place& place, fmt::format_string<Values...> message,
+                          Values&&... values) {
+  throw InputError(place, fmt::format(message, std::forward<Values>(values)...));
+}
 
 struct Node;
 struct Entry;
@@ -70,5 +80,10 @@ struct Entry {
 
 /// `path.name`, or `name` at the root; names that are not bare words are quoted.
 [[nodiscard]] std::string join_path(const std::string& path, const std::string& name);
+
+/// Sets the value at `key` of `key=value` in the tree; tables and one more list entry are created
+/// on the way as needed. InputError, naming the override, if it is malformed or the path runs
+/// through something that has no keys.
+void apply_override(Node& root, const std::string& override_text);
 
 }  // namespace tlsph

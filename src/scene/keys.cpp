@@ -17,8 +17,7 @@ Allowed quantities_named() {
 
 void check_time(TimeScene& time, const TableView& view, const Scene&) {
   if (time.step && *time.step > time.end)
-    throw InputError(view.place_of("step"),
-                     fmt::format("must not exceed time.end, {} s", time.end));
+    fail_at(view.place_of("step"), "must not exceed time.end, {} s", time.end);
 }
 
 const Table<TimeScene>& time_keys() {
@@ -54,19 +53,19 @@ void check_probe(ProbeScene& probe, const TableView& view, const Scene& scene) {
                                                 "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWX"
                                                 "YZ0123456789_-") == std::string::npos;
   if (!plain)
-    throw InputError(place, fmt::format("\"{}\" cannot head a column; allowed: letters, digits, _ "
-                                        "and -",
-                                        probe.name));
+    fail_at(place,
+            "\"{}\" cannot head a column; allowed: letters, digits, _ "
+            "and -",
+            probe.name);
   for (const ProbeScene& other : scene.probes)
     if (&other != &probe && other.name == probe.name)
-      throw InputError(place,
-                       fmt::format("\"{}\" is already the name of another probe", probe.name));
+      fail_at(place, "\"{}\" is already the name of another probe", probe.name);
   for (auto word = probe.record.begin(); word != probe.record.end(); ++word)
     if (std::find(probe.record.begin(), word, *word) != word)
-      throw InputError(view.place_of("record"), fmt::format("\"{}\" is listed twice", *word));
+      fail_at(view.place_of("record"), "\"{}\" is listed twice", *word);
   if (probe.record.empty())
-    throw InputError(view.place_of("record"),
-                     fmt::format("must name at least one of {}", fmt::join(quantity_names, " | ")));
+    fail_at(view.place_of("record"), "must name at least one of {}",
+            fmt::join(quantity_names, " | "));
 }
 
 const Table<ProbeScene>& probe_keys() {

@@ -47,7 +47,7 @@ struct CornerPair {
 /// The box of a part, its members `lower` and `upper`.
 template <class T>
 [[nodiscard]] Row<T> box_key(std::string meaning) {
-  return {{"", "box", points | numbers, "", "m", "", {}, std::move(meaning)},
+  return {{"", "box", points | numbers, "m", {}, std::move(meaning), "", ""},
           [](T& part, const TableView& view, const Scene& scene) {
             CornerPair corners = read_box(view.require("box"), scene.dimension);
             part.lower = std::move(corners.lower);
@@ -57,5 +57,20 @@ template <class T>
             return print_box({part.lower, part.upper});
           }};
 }
+
+/// The motion of one component: a number, or a curve with a number as amplitude.
+[[nodiscard]] Curve read_motion_curve(const Node& node);
+
+/// A load: a number or curve is `normal`, a list or a curve with a list as amplitude has a number
+/// per dimension.
+void read_load(const Node& node, int dimension, std::optional<Curve>& normal,
+               std::vector<ComponentCurve>& components);
+
+/// A number where the curve is constant, else its table.
+[[nodiscard]] Node print_curve(const Curve& curve);
+
+/// A load by components, which differ in nothing but their amplitude. The values of a table curve
+/// are those of its first component: the others come back to rounding.
+[[nodiscard]] Node print_vector_load(const std::vector<ComponentCurve>& load, int dimension);
 
 }  // namespace tlsph

@@ -1,6 +1,4 @@
 // [body] and the names of its parts.
-#include <fmt/format.h>
-
 #include "keys.hpp"
 
 namespace tlsph {
@@ -28,26 +26,23 @@ void check_cloud(const BodyScene& body, const TableView& view, const Scene& scen
   if (!body.is_cloud()) return;
   const char* key = body.cloud.empty() ? "layout" : "cloud";
   if (!is_adjoint(scene.formulation))
-    throw InputError(view.place_of(key),
-                     fmt::format("{} needs nodes on a square lattice; irregular and hexagonal "
-                                 "ones: {}",
-                                 name_of(scene.formulation), adjoint_formulations()));
+    fail_at(view.place_of(key),
+            "{} needs nodes on a square lattice; irregular and hexagonal "
+            "ones: {}",
+            name_of(scene.formulation), adjoint_formulations());
   if (body.placement == NodePlacement::cell_centred)
-    throw InputError(view.place_of("placement"),
-                     fmt::format("body.{} puts nodes on the boundary; allowed: on-boundary", key));
+    fail_at(view.place_of("placement"), "body.{} puts nodes on the boundary; allowed: on-boundary",
+            key);
   if (scene.dimension == 2 && !body.fit)
-    throw InputError(view.place_of("fit"),
-                     fmt::format("body.{} makes nodes follow the boundary; allowed: true", key));
+    fail_at(view.place_of("fit"), "body.{} makes nodes follow the boundary; allowed: true", key);
 }
 
 void check_body(BodyScene& body, const TableView& view, const Scene& scene) {
   if (body.fit && !may_fit(body, scene))
-    throw InputError(
-        view.place_of("fit"),
-        fmt::format(
+    fail_at(view.place_of("fit"),
             "nodes can follow the boundary in 2D, placed on it, with formulation = {} only; "
             "allowed here: false",
-            adjoint_formulations()));
+            adjoint_formulations());
   check_cloud(body, view, scene);
 }
 
@@ -56,8 +51,7 @@ void check_tag(NamedBox& tag, const TableView& view, const Scene& scene) {
     throw InputError(view.place_of("name"), "must not be empty: [[boundary]] where refers to it");
   for (const NamedBox& other : scene.body.tags)
     if (&other != &tag && other.name == tag.name)
-      throw InputError(view.place_of("name"),
-                       fmt::format("\"{}\" is already the name of another tag", other.name));
+      fail_at(view.place_of("name"), "\"{}\" is already the name of another tag", other.name);
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // [[boundary]]: conditions of the patches.
 #include <algorithm>
 
-#include "curves.hpp"
 #include "keys.hpp"
 
 namespace tlsph {
@@ -79,12 +78,11 @@ Row<BoundaryScene> traction_key() {
   return {{"",
            "traction",
            number | numbers | Form::table,
-           "curve",
            "Pa",
-           "(none)",
            {},
            "load per reference area: a number or curve is normal, tension positive; a list, or a "
-           "curve with a list as amplitude, is a vector"},
+           "curve with a list as amplitude, is a vector",
+           "curve"},
           [](BoundaryScene& boundary, const TableView& view, const Scene& scene) {
             if (const Node* node = view.find("traction"))
               read_load(*node, scene.dimension, boundary.normal_traction, boundary.traction);

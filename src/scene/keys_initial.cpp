@@ -1,6 +1,4 @@
 // [initial]: the state at t = 0.
-#include <fmt/format.h>
-
 #include "keys.hpp"
 
 namespace tlsph {
@@ -38,9 +36,8 @@ InitialField read_linear(const TableView& view, InitialField field, int dimensio
     field.constant = read_vector(*constant, dimension, "one per dimension");
   if (const Node* gradient = view.find("gradient")) {
     if (gradient->list()->size() != n)
-      throw InputError(gradient->place,
-                       fmt::format("must have {} row{}, one per dimension, not {}", n,
-                                   n == 1 ? "" : "s", gradient->list()->size()));
+      fail_at(gradient->place, "must have {} row{}, one per dimension, not {}", n,
+              n == 1 ? "" : "s", gradient->list()->size());
     for (std::size_t i = 0; i < n; ++i)
       field.gradient[i] = read_vector((*gradient->list())[i], dimension, "one per dimension");
   }
@@ -110,28 +107,15 @@ const Table<Scene>& initial_keys() {
 
 std::vector<Key> initial_part_keys() {
   std::vector<Key> all = keys_of(initial_region_keys());
-  const std::string none = "(none)";
-  const std::vector<std::string> fields = Codec<InitialField::Kind>::words();
+  const Allowed any;
   all.insert(all.end(),
-             {{"field", "constant", numbers, "", "m or m/s", none, {}, "the same everywhere"},
-              {"field",
-               "gradient",
-               points,
-               "",
-               "1 or 1/s",
-               none,
-               {},
+             {{"field", "constant", numbers, "m or m/s", any, "the same everywhere"},
+              {"field", "gradient", points, "1 or 1/s", any,
                "[[xx, xy], [yx, yy]]: gradient times position is added"},
-              {"field", "field", text, "", "", none, Allowed(fields),
+              {"field", "field", text, "", Allowed(Codec<InitialField::Kind>::words()),
                "a named field: of the swinging plate, or the first bending mode of a beam clamped "
                "at left"},
-              {"field",
-               "amplitude",
-               number,
-               "",
-               "m or m/s",
-               none,
-               {},
+              {"field", "amplitude", number, "m or m/s", any,
                "of the named field: its largest component, at the tip of the beam"}});
   return all;
 }

@@ -16,7 +16,7 @@ bool has_constant(LawName law, std::string_view constant) {
 /// "(required by …)" for a constant that some laws do not have.
 std::string owners_of(std::string_view constant) {
   std::vector<std::string_view> laws;
-  for (const auto& [name, law] : Names<LawName>::list)
+  for (const auto& [name, law] : word_list<LawName>)
     if (has_constant(law, constant)) laws.push_back(name);
   return laws.size() == law_names.size() ? ""
                                          : fmt::format("(required by {})", fmt::join(laws, ", "));
@@ -34,8 +34,8 @@ void read_constants(MaterialScene& material, const TableView& view, const Scene&
   }
   for (const LawConstant& constant : all_law_constants())
     if (view.has(constant.name) && !has_constant(material.law, constant.name))
-      throw InputError(view.place_of(constant.name),
-                       fmt::format("the law \"{}\" has no such constant", name_of(material.law)));
+      fail_at(view.place_of(constant.name), "the law \"{}\" has no such constant",
+              name_of(material.law));
 }
 
 void read_later(MaterialScene&, const TableView&, const Scene&) {}
@@ -45,14 +45,14 @@ std::vector<Row<MaterialScene>> constants(bool of_region) {
   std::vector<Row<MaterialScene>> rows;
   for (const LawConstant& constant : all_law_constants()) {
     const std::string name(constant.name);
-    rows.push_back({{"", name, number, "", std::string(constant.unit),
-                     of_region ? "(of [material])" : owners_of(name), constant.range,
-                     std::string(constant.meaning)},
-                    read_later,
-                    [name](const MaterialScene& material, const Scene&, Printed) {
-                      const std::optional<double> value = material.constant(name);
-                      return value ? std::optional(node_of(*value)) : std::nullopt;
-                    }});
+    rows.push_back(
+        {{"", name, number, std::string(constant.unit), constant.range,
+          std::string(constant.meaning), "", of_region ? "(of [material])" : owners_of(name)},
+         read_later,
+         [name](const MaterialScene& material, const Scene&, Printed) {
+           const std::optional<double> value = material.constant(name);
+           return value ? std::optional(node_of(*value)) : std::nullopt;
+         }});
   }
   return rows;
 }
@@ -70,11 +70,10 @@ Row<MaterialScene> regions_key() {
   return {{"",
            "region",
            tables,
-           "region",
            "",
-           "(none)",
            {},
-           "parts of another material, [[material.region]]; of overlapping ones the last counts"},
+           "parts of another material, [[material.region]]; of overlapping ones the last counts",
+           "region"},
           read_later,
           [](const MaterialScene&, const Scene&, Printed) { return std::optional<Node>(); }};
 }
@@ -122,7 +121,7 @@ const Table<MaterialScene>& region_keys() {
 }
 
 Row<Scene> materials_key() {
-  return {{"", "material", table, "material", "", "", {}, "what the body is made of"},
+  return {{"", "material", table, "", {}, "what the body is made of", "material", ""},
           [](Scene& owner, const TableView& view, const Scene& scene) {
             const TableView base = view.table("material");
             MaterialScene material;

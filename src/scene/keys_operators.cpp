@@ -78,11 +78,11 @@ Row<Scene> consistency_key() {
            "consistency",
            flag | numbers,
            "",
-           "",
-           "(consistent: [2, 1], in 1D [1, 1]; else false)",
            {},
            "degrees of the polynomials that the gradient and its adjoint are made exact for, "
-           "[1, 0], [1, 1] or [2, 1]; true: the default for consistent, [1, 0] for stress-point"},
+           "[1, 0], [1, 1] or [2, 1]; true: the default for consistent, [1, 0] for stress-point",
+           "",
+           "(consistent: [2, 1], in 1D [1, 1]; else false)"},
           [](Scene& table, const TableView& view, const Scene& scene) {
             if (const Node* node = view.find("consistency"))
               table.consistency = read_consistency(*node, scene);

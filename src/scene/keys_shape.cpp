@@ -1,6 +1,4 @@
 // Shapes and boxes: read and printed.
-#include <fmt/format.h>
-
 #include "keys.hpp"
 #include "tlsph/geometry/region.hpp"
 
@@ -26,11 +24,10 @@ const Node& only_form(const TableView& view, int dimension) {
   const auto& entries = *view.node()->table();
   const char* allowed = dimension == 1 ? "interval" : "box, disc, polygon or difference";
   if (entries.size() != 1)
-    throw InputError(view.place(), fmt::format("must have exactly one of {}, not {}", allowed,
-                                               entries.empty() ? "none" : "several"));
+    fail_at(view.place(), "must have exactly one of {}, not {}", allowed,
+            entries.empty() ? "none" : "several");
   if ((dimension == 1) != (entries.front().name == "interval"))
-    throw InputError(entries.front().place,
-                     fmt::format("no shape in dimension {}; allowed: {}", dimension, allowed));
+    fail_at(entries.front().place, "no shape in dimension {}; allowed: {}", dimension, allowed);
   return entries.front().value;
 }
 
@@ -116,30 +113,23 @@ Node Codec<AnyShape>::print(const AnyShape& shape) {
 }
 
 std::vector<Key> shape_keys() {
-  const std::string none = "(none)";
+  const Allowed any;
   return {
-      {"shape", "interval", numbers, "", "m", none, {}, "1D: [from, to]"},
-      {"shape", "box", points, "", "m", none, {}, "[[x0, y0], [x1, y1]]: lower left, upper right"},
-      {"shape", "disc", table, "disc", "m", none, {}, "a full circle"},
-      {"shape", "polygon", points, "", "m", none, {}, "[[x, y], …]: corners in order"},
-      {"shape",
-       "difference",
-       tables,
-       "shape",
-       "",
-       none,
-       {},
-       "[shape, hole, …]: the first without the others"},
-      {"disc", "centre", numbers, "", "m", "", {}, "[x, y]"},
-      {"disc", "radius", number, "", "m", "", above(0.0), ""},
+      {"shape", "interval", numbers, "m", any, "1D: [from, to]"},
+      {"shape", "box", points, "m", any, "[[x0, y0], [x1, y1]]: lower left, upper right"},
+      {"shape", "disc", table, "m", any, "a full circle", "disc"},
+      {"shape", "polygon", points, "m", any, "[[x, y], …]: corners in order"},
+      {"shape", "difference", tables, "", any, "[shape, hole, …]: the first without the others",
+       "shape"},
+      {"disc", "centre", numbers, "m", any, "[x, y]", "", ""},
+      {"disc", "radius", number, "m", above(0.0), "", "", ""},
   };
 }
 
 CornerPair read_box(const Node& node, int dimension) {
   const auto& list = *node.list();
   if (list.size() != 2)
-    throw InputError(node.place,
-                     fmt::format("must be two corners, [lower, upper], not {}", list.size()));
+    fail_at(node.place, "must be two corners, [lower, upper], not {}", list.size());
   CornerPair corners;
   if (list[0].is_number() && dimension != 1)
     throw InputError(node.place, "must be [[x0, y0], [x1, y1]], as dimension = 2");
@@ -152,9 +142,10 @@ CornerPair read_box(const Node& node, int dimension) {
   for (int a = 0; a < dimension; ++a) {
     const auto axis = static_cast<std::size_t>(a);
     if (!(corners.lower[axis] <= corners.upper[axis]))
-      throw InputError(node.place, fmt::format("the lower corner must not be above the upper one, "
-                                               "but in {} {} > {}",
-                                               "xy"[a], corners.lower[axis], corners.upper[axis]));
+      fail_at(node.place,
+              "the lower corner must not be above the upper one, "
+              "but in {} {} > {}",
+              "xy"[a], corners.lower[axis], corners.upper[axis]);
   }
   return corners;
 }

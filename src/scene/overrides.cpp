@@ -1,10 +1,10 @@
-#include "overrides.hpp"
-
+// Changes to a scene's tree by dotted path: `--set key=value`.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
 #include <optional>
+#include <ranges>
 
 #include "schema.hpp"
 
@@ -28,38 +28,26 @@ std::string trimmed(const std::string& text) {
 
 /// `boundary[0].traction` → boundary, 0, traction.
 std::vector<Step> split_path(const std::string& path, const Place& place) {
-  const InputError malformed(place,
-                             "the path is names joined by dots, lists by index: a.b[0].c=value");
+  const auto require = [&](bool well_formed) {
+    if (!well_formed)
+      throw InputError(place, "the path is names joined by dots, lists by index: a.b[0].c=value");
+  };
   std::vector<Step> steps;
-  std::size_t i = 0;
-  while (i < path.size()) {
-    if (path[i] == '[') {
-      const auto close = path.find(']', i);
-      if (close == std::string::npos || close == i + 1 || close - i > 9 || steps.empty())
-        throw malformed;
-      const std::string digits = path.substr(i + 1, close - i - 1);
-      if (!std::all_of(digits.begin(), digits.end(),
-                       [](unsigned char c) { return std::isdigit(c); }))
-        throw malformed;
+  for (const auto part : std::views::split(path, '.')) {
+    std::string_view left(part.begin(), part.end());
+    const std::string_view name = left.substr(0, left.find('['));
+    require(!name.empty());
+    steps.push_back({std::string(name), std::nullopt});
+    for (left.remove_prefix(name.size()); !left.empty();) {
+      const std::size_t close = left.find(']');
+      require(left[0] == '[' && close != std::string_view::npos && close > 1 && close < 10);
+      const std::string digits(left.substr(1, close - 1));
+      require(std::ranges::all_of(digits, [](unsigned char c) { return std::isdigit(c); }));
       steps.push_back({"", static_cast<std::size_t>(std::stoul(digits))});
-      i = close + 1;
-      if (i < path.size() && path[i] == '.') {
-        if (++i == path.size()) throw malformed;
-      } else if (i < path.size() && path[i] != '[') {
-        throw malformed;
-      }
-      continue;
-    }
-    const auto end = std::min(path.find_first_of(".[", i), path.size());
-    if (end == i) throw malformed;
-    steps.push_back({path.substr(i, end - i), std::nullopt});
-    i = end;
-    if (i < path.size() && path[i] == '.') {
-      ++i;
-      if (i == path.size() || path[i] == '.' || path[i] == '[') throw malformed;
+      left.remove_prefix(close + 1);
     }
   }
-  if (steps.empty() || steps.size() > most_steps) throw malformed;
+  require(!steps.empty() && steps.size() <= most_steps);
   return steps;
 }
 
@@ -77,22 +65,21 @@ Node& descend(Node& node, const Step& step, const Place& place) {
   const Place created{place.file, 0, 0, path};
   if (step.index) {
     auto* list = node.list();
-    if (!list)
-      throw InputError(place, fmt::format("{} is {}, not a list", node.path, describe(node)));
+    if (!list) fail_at(place, "{} is {}, not a list", node.path, describe(node));
     if (*step.index > list->size())
-      throw InputError(place, fmt::format("{} has {} entries; the next index is {}", node.path,
-                                          list->size(), list->size()));
+      fail_at(place, "{} has {} entries; the next index is {}", node.path, list->size(),
+              list->size());
     if (*step.index == list->size()) list->push_back(Node{Unsupported{}, created, path});
     return (*list)[*step.index];
   }
   auto* entries = node.table();
   if (!entries && node.list())
-    throw InputError(place, fmt::format("{} is a list: say which entry, {}[0].{}", node.path,
-                                        node.path, step.name));
+    fail_at(place, "{} is a list: say which entry, {}[0].{}", node.path, node.path, step.name);
   if (!entries)
-    throw InputError(place, fmt::format("{} is {}, not a table: set it as a whole, "
-                                        "{}={{ … }}",
-                                        node.path, describe(node), node.path));
+    fail_at(place,
+            "{} is {}, not a table: set it as a whole, "
+            "{}={{ … }}",
+            node.path, describe(node), node.path);
   if (Node* child = node.find(step.name)) return *child;
   entries->push_back(Entry{step.name, created, Node{Unsupported{}, created, path}});
   return entries->back().value;

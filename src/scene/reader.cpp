@@ -6,7 +6,6 @@
 #include <system_error>
 
 #include "keys.hpp"
-#include "overrides.hpp"
 #include "rules.hpp"
 #include "tlsph/scene/edit.hpp"
 
@@ -51,6 +50,19 @@ void place_nodes(Node& node, const std::string& path, const std::string& file) {
       place_nodes((*items)[k], fmt::format("{}[{}]", path, k), file);
 }
 
+/// The node of that path at or below `node`, nullptr if there is none.
+const Node* find_path(const Node& node, const std::string& path) {
+  if (node.path == path) return &node;
+  const Node* found = nullptr;
+  if (const auto* entries = node.table())
+    for (const Entry& entry : *entries)
+      if (found == nullptr) found = find_path(entry.value, path);
+  if (const auto* items = node.list())
+    for (const Node& item : *items)
+      if (found == nullptr) found = find_path(item, path);
+  return found;
+}
+
 Node document_of(const Scene& scene, Printed printed) {
   Node document = print_table(scene, scene_keys(), scene, printed);
   place_nodes(document, "", scene.file);
@@ -87,8 +99,8 @@ Scene read_scene(const std::filesystem::path& file, const std::vector<std::strin
   return read_scene_text(read_file(file), file.string(), overrides);
 }
 
-std::string print_scene(const Scene& scene) {
-  return print_document(document_of(scene, Printed::given));
+std::string print_scene(const Scene& scene, Printed keys) {
+  return print_document(document_of(scene, keys));
 }
 
 Scene completed(const Scene& edited) {
@@ -99,9 +111,22 @@ Scene completed(const Scene& edited) {
   return scene;
 }
 
-bool equal(const Scene& a, const Scene& b) {
-  return print_document(document_of(a, Printed::all)) ==
-         print_document(document_of(b, Printed::all));
+Place place_of(const Scene& scene, const std::string& key) {
+  Place place{scene.file, 1, 1, key};
+  try {
+    const Node document = parse_document(read_file(scene.file), scene.file);
+    for (std::string path = key; !path.empty();) {
+      if (const Node* node = find_path(document, path)) {
+        place.line = node->place.line;
+        place.column = node->place.column;
+        break;
+      }
+      const std::size_t end = path.find_last_of(".[");
+      path.resize(end == std::string::npos ? 0 : end);
+    }
+  } catch (const InputError&) {  // changed since it was read: its first line
+  }
+  return place;
 }
 
 }  // namespace tlsph

@@ -12,19 +12,11 @@ namespace {
 
 std::string type_of(const Key& key) {
   std::vector<std::string> parts;
-  const auto add = [&](Form form, const char* word) {
-    if ((key.forms & form) != 0) parts.emplace_back(word);
-  };
-  add(flag, "true/false");
-  add(integer, "integer");
-  add(number, "number");
-  add(text, "text");
-  add(numbers, "[number, …]");
-  add(points, "[[number, …], …]");
-  add(texts, "[text, …]");
-  if ((key.forms & table) != 0)
-    parts.push_back(key.below == key.name ? "table" : fmt::format("table of {}", key.below));
-  if ((key.forms & tables) != 0) parts.emplace_back("list of tables");
+  for (const auto& [form, in_messages, word] : form_words) {
+    if ((key.forms & form) == 0) continue;
+    const bool of_others = form == table && key.below != key.name;
+    parts.push_back(of_others ? fmt::format("table of {}", key.below) : word);
+  }
   return fmt::format("{}", fmt::join(parts, " or "));
 }
 

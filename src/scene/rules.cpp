@@ -9,6 +9,7 @@
 #include "tlsph/core/dimensions.hpp"
 #include "tlsph/geometry/region.hpp"
 #include "tlsph/scene/conditions.hpp"
+#include "tlsph/scene/names.hpp"
 
 namespace tlsph {
 namespace {
@@ -20,9 +21,8 @@ void check_ghosts(const Scene& scene, const TableView& root) {
   if (!has_ghosts(traits_of(scene.formulation)))
     for (const char* name : {"boundary_treatment", "boundary_solver"})
       if (root.has(name))
-        throw InputError(root.place_of(name),
-                         fmt::format("is for formulation = \"{}\", not \"{}\"; leave it out",
-                                     formulations_where(has_ghosts), name_of(scene.formulation)));
+        fail_at(root.place_of(name), "is for formulation = \"{}\", not \"{}\"; leave it out",
+                formulations_where(has_ghosts), name_of(scene.formulation));
   if (scene.ghosts == GhostClosure::eta && scene.dimension != 1)
     throw InputError(root.place_of("boundary_treatment"),
                      "the eta corrections exist in 1D only; allowed in 2D: consistent, as-printed");
@@ -35,8 +35,7 @@ void check_ghosts(const Scene& scene, const TableView& root) {
 void check_sides(const Scene& scene) {
   if (is_adjoint(scene.formulation)) return;
   const auto refuse = [&](const Place& place, std::string_view what) {
-    throw InputError(
-        place, fmt::format("{} {}: {}", name_of(scene.formulation), what, adjoint_formulations()));
+    fail_at(place, "{} {}: {}", name_of(scene.formulation), what, adjoint_formulations());
   };
   if (!is_box(scene))
     refuse(scene.formulation_place,
@@ -62,10 +61,8 @@ void check_kernel(const Scene& scene, const TableView& root) {
   const TableView kernel = root.table("kernel");
   const auto refuse_sums = [&](const char* key, std::string_view allowed, std::string_view others) {
     if (is_adjoint(scene.formulation)) return;
-    throw InputError(
-        kernel.place_of(key),
-        fmt::format("{} uses plain SPH sums; allowed: {} ({}: {})", name_of(scene.formulation),
-                    allowed, others, adjoint_formulations()));
+    fail_at(kernel.place_of(key), "{} uses plain SPH sums; allowed: {} ({}: {})",
+            name_of(scene.formulation), allowed, others, adjoint_formulations());
   };
   if (scene.kernel.correction != Correction::none)
     refuse_sums("correction", "none", "corrected gradients");
@@ -73,9 +70,10 @@ void check_kernel(const Scene& scene, const TableView& root) {
   refuse_sums("order", "1", "order 2");
   const Place place = kernel.place_of("order");
   if (scene.kernel.correction != Correction::least_squares)
-    throw InputError(place, fmt::format("the correction \"{}\" is exact for linear fields only; "
-                                        "allowed: 1 (order 2: least-squares)",
-                                        name_of(scene.kernel.correction)));
+    fail_at(place,
+            "the correction \"{}\" is exact for linear fields only; "
+            "allowed: 1 (order 2: least-squares)",
+            name_of(scene.kernel.correction));
   if (!scene.kernel.support)
     throw InputError(place, "the nodes of a cell determine no quadratic fit; give kernel.support");
 }
@@ -84,11 +82,9 @@ void check_consistency(const Scene& scene) {
   if (!scene.consistency) return;
   const FormulationTraits& traits = traits_of(scene.formulation);
   const auto refuse = [&](const std::string& what) {
-    throw InputError(scene.consistency->place,
-                     fmt::format("{} {} formulation = \"{}\"", traits.name, what,
-                                 formulations_where([](const FormulationTraits& row) {
-                                   return row.corrected == Corrected::always;
-                                 })));
+    fail_at(scene.consistency->place, "{} {} formulation = \"{}\"", traits.name, what,
+            formulations_where(
+                [](const FormulationTraits& row) { return row.corrected == Corrected::always; }));
   };
   if (traits.closure != Closure::natural)
     refuse("has no adjoint to make exact; leave it out, or use");
@@ -103,16 +99,16 @@ void check_placement(const Scene& scene, const TableView& root) {
   const TableView body = root.table("body");
   const FormulationTraits& traits = traits_of(scene.formulation);
   if (scene.body.placement == NodePlacement::cell_centred && traits.nodes != NodeSites::anywhere)
-    throw InputError(body.place_of("placement"),
-                     fmt::format("{} needs nodes on the boundary; allowed: on-boundary "
-                                 "(cell-centred nodes: {})",
-                                 traits.name, formulations_where([](const FormulationTraits& row) {
-                                   return row.nodes == NodeSites::anywhere;
-                                 })));
+    fail_at(body.place_of("placement"),
+            "{} needs nodes on the boundary; allowed: on-boundary "
+            "(cell-centred nodes: {})",
+            traits.name, formulations_where([](const FormulationTraits& row) {
+              return row.nodes == NodeSites::anywhere;
+            }));
   if (scene.body.jitter > 0.0 && traits.nodes == NodeSites::lattice)
-    throw InputError(body.place_of("jitter"),
-                     fmt::format("{} needs nodes on a lattice; allowed: 0 (irregular nodes: {})",
-                                 traits.name, adjoint_formulations()));
+    fail_at(body.place_of("jitter"),
+            "{} needs nodes on a lattice; allowed: 0 (irregular nodes: {})", traits.name,
+            adjoint_formulations());
 }
 
 void check_stabiliser(const Scene& scene, const TableView& root) {
@@ -128,12 +124,12 @@ void check_stabiliser(const Scene& scene, const TableView& root) {
   }
   if (scene.stabiliser.kind == StabiliserKind::cell) {
     if (is_collocated(scene.formulation) || scene.dimension != 2)
-      throw InputError(place, fmt::format("cell holds the hourglass mode of one stress point per "
-                                          "cell: it needs formulation = \"{}\" in 2D; allowed "
-                                          "here: none, pair",
-                                          formulations_where([](const FormulationTraits& row) {
-                                            return row.sites == StressSites::cells;
-                                          })));
+      fail_at(place,
+              "cell holds the hourglass mode of one stress point per "
+              "cell: it needs formulation = \"{}\" in 2D; allowed "
+              "here: none, pair",
+              formulations_where(
+                  [](const FormulationTraits& row) { return row.sites == StressSites::cells; }));
     if (scene.kernel.support)
       throw InputError(place,
                        "cell goes with the gradient over the nodes of each cell; leave "
@@ -143,8 +139,7 @@ void check_stabiliser(const Scene& scene, const TableView& root) {
                        "cell holds the hourglass mode of quadrilaterals, which the triangles of "
                        "a cloud do not have; allowed: none, pair");
   } else if (!is_adjoint(scene.formulation)) {
-    throw InputError(
-        place, fmt::format("{} takes no stabiliser; allowed: none", name_of(scene.formulation)));
+    fail_at(place, "{} takes no stabiliser; allowed: none", name_of(scene.formulation));
   }
 }
 
@@ -164,33 +159,19 @@ void check_positions_in(const Scene& scene) {
   for (int a = 1; a < D; ++a) whole += " x " + extent(a);
   for (const auto& probe : scene.probes)
     if (!contains(shape, point<D>(probe.at)))
-      throw InputError(probe.place, fmt::format("probe {} at [{}] is outside the body, which fills "
-                                                "{}{}",
-                                                probe.name, fmt::join(probe.at, ", "),
-                                                is_box(scene) ? "" : "part of ", whole));
-  const auto apart = [&](const std::vector<double>& lower, const std::vector<double>& upper) {
-    for (int a = 0; a < D; ++a)
-      if (lower[static_cast<std::size_t>(a)] > bounds.upper(a) ||
-          upper[static_cast<std::size_t>(a)] < bounds.lower(a))
-        return true;
-    return false;
+      fail_at(probe.place,
+              "probe {} at [{}] is outside the body, which fills "
+              "{}{}",
+              probe.name, fmt::join(probe.at, ", "), is_box(scene) ? "" : "part of ", whole);
+  const auto check_box = [&](const auto& part, const std::string& what) {
+    for (int a = 0; a < D && !part.lower.empty(); ++a)
+      if (part.lower[static_cast<std::size_t>(a)] > bounds.upper(a) ||
+          part.upper[static_cast<std::size_t>(a)] < bounds.lower(a))
+        fail_at(part.place, "{}: its box lies outside the body, which fills {}", what, whole);
   };
-  for (const auto& material : scene.materials)
-    if (!material.lower.empty() && apart(material.lower, material.upper))
-      throw InputError(
-          material.place,
-          fmt::format("empty region: its box lies outside the body, which fills {}", whole));
-  for (const auto& region : scene.initial_regions)
-    if (apart(region.lower, region.upper))
-      throw InputError(
-          region.place,
-          fmt::format("empty region: its box lies outside the body, which fills {}", whole));
-  for (const auto& tag : scene.body.tags)
-    if (apart(tag.lower, tag.upper))
-      throw InputError(tag.place,
-                       fmt::format("tag {} is empty: its box lies outside the body, which "
-                                   "fills {}",
-                                   tag.name, whole));
+  for (const auto& material : scene.materials) check_box(material, "empty region");
+  for (const auto& region : scene.initial_regions) check_box(region, "empty region");
+  for (const auto& tag : scene.body.tags) check_box(tag, fmt::format("tag {} is empty", tag.name));
 }
 
 /// The condition that rules a component of a patch so far, and whose it is.
@@ -227,12 +208,10 @@ void claim(Claims& claims, const BoundaryScene& entry, const Condition& conditio
   Claim& now = claims[known ? static_cast<std::size_t>(condition.component) : 2];
   const auto fixes = [](const Condition& c) { return c.kind == Condition::Kind::fixed; };
   if (now.by && !(fixes(now.condition) && fixes(condition)))
-    throw InputError(
-        entry.place,
-        fmt::format("contradiction on \"{}\": {} {}, and {} {}; one condition for each component",
-                    entry.where, now.by == &entry ? "this entry" : now.by->place.key,
-                    words(now.condition), now.by == &entry ? "also" : "this entry",
-                    words(condition)));
+    fail_at(entry.place,
+            "contradiction on \"{}\": {} {}, and {} {}; one condition for each component",
+            entry.where, now.by == &entry ? "this entry" : now.by->place.key, words(now.condition),
+            now.by == &entry ? "also" : "this entry", words(condition));
   now = {&entry, condition};
 }
 
@@ -263,11 +242,10 @@ void check_boundaries(const Scene& scene) {
     const Claim& across = claims[2];
     if (across.by && loaded(across) && constrained(claims[0]) &&
         (scene.dimension == 1 || constrained(claims[1])))
-      throw InputError(
-          across.by->place,
-          fmt::format("contradiction on \"{}\": a traction where every component of the "
-                      "displacement is given",
-                      where));
+      fail_at(across.by->place,
+              "contradiction on \"{}\": a traction where every component of the "
+              "displacement is given",
+              where);
   }
 }
 

@@ -3,8 +3,8 @@
 /// What must hold between the keys of a scene: which formulation takes which options, which
 /// conditions contradict each other, where an exact solution applies.
 
+#include "schema.hpp"
 #include "tlsph/scene/scene.hpp"
-#include "view.hpp"
 
 namespace tlsph {
 

@@ -1,28 +1,23 @@
 // Where named initial fields and exact solutions apply.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "rules.hpp"
 #include "tlsph/scene/conditions.hpp"
+#include "tlsph/scene/names.hpp"
 
 namespace tlsph {
 namespace {
 
 using Kind = Condition::Kind;
 
-class Needs {
- public:
-  explicit Needs(const Scene& scene) : scene_(scene) {}
+/// Says what an exact solution needs, where it is not so.
+struct Needs {
+  const Scene& scene;
   void operator()(bool condition, const char* what) const {
     if (!condition)
-      throw InputError(scene_.exact_place,
-                       fmt::format("{} does not apply: it needs {}", name_of(scene_.exact), what));
+      fail_at(scene.exact_place, "{} does not apply: it needs {}", name_of(scene.exact), what);
   }
-
- private:
-  const Scene& scene_;
 };
 
 bool starts_at_rest(const Scene& scene) {
@@ -52,7 +47,7 @@ void check_one_material(const Scene& scene, const Needs& needs) {
 }
 
 void check_bar_wave(const Scene& scene) {
-  const Needs needs(scene);
+  const Needs needs{scene};
   check_one_material(scene, needs);
   needs(is_box(scene), "an interval, or a box in 2D");
   needs(only_box_patches(scene), "conditions on left, right, top and bottom only");
@@ -84,7 +79,7 @@ bool is_square_at_origin(const Scene& scene) {
 }
 
 void check_swinging_plate(const Scene& scene) {
-  const Needs needs(scene);
+  const Needs needs{scene};
   check_one_material(scene, needs);
   needs(is_square_at_origin(scene), "a square box with its lower left corner at the origin, in 2D");
   needs(scene.displacement.kind == InitialField::Kind::swinging_plate,
@@ -101,7 +96,7 @@ void check_swinging_plate(const Scene& scene) {
 }
 
 void check_uniform_stretch(const Scene& scene) {
-  const Needs needs(scene);
+  const Needs needs{scene};
   check_one_material(scene, needs);
   needs(is_box(scene), "an interval, or a box in 2D");
   const PatchConditions left(scene, "left"), right(scene, "right");
@@ -133,7 +128,7 @@ void check_exact(const Scene& scene) {
     for (const auto& field : {region.displacement, region.velocity})
       if (field) check_initial(*field, scene);
   if (scene.exact != ExactKind::none) {
-    const Needs needs(scene);
+    const Needs needs{scene};
     needs(scene.initial_regions.empty(), "one initial state all over the body");
     needs(all_conditions(scene, [](const Condition& c) { return c.kind != Kind::held; }),
           "fixed patches in place of held ones");

@@ -27,6 +27,23 @@ enum Form : unsigned {
   tables = 256U,  // a list of tables, [[key]]
 };
 
+/// How messages and the reference call a form.
+struct FormWords {
+  Form form;
+  const char *in_messages, *in_reference;
+};
+inline constexpr FormWords form_words[] = {
+    {flag, "true or false", "true/false"},
+    {integer, "a whole number", "integer"},
+    {number, "a number", "number"},
+    {text, "a text in quotes", "text"},
+    {numbers, "a list of numbers", "[number, …]"},
+    {points, "a list of points [x, …]", "[[number, …], …]"},
+    {texts, "a list of texts", "[text, …]"},
+    {table, "a table", "table"},
+    {tables, "a list of tables", "list of tables"},
+};
+
 /// The values of a key: words, numbers of a range, either of them, or whatever its form allows.
 struct Allowed {
   std::vector<std::string> words;
@@ -40,18 +57,17 @@ struct Allowed {
   [[nodiscard]] std::string text() const;
 };
 
-/// One key. `group` names the table it stands in, "" the top level; `below` the group of the keys
-/// in its own table, if it holds one.
+/// One key.
 struct Key {
-  std::string group;
+  std::string group;  ///< the table it stands in, "" the top level
   std::string name;
-  unsigned forms;
-  std::string below;
+  unsigned forms = 0;
   std::string unit;
-  std::string
-      standard;  ///< default: TOML, or a remark in parentheses; empty if the key is required
   Allowed allowed;
   std::string doc;
+  std::string below = "";  ///< the group of the keys in its own table, if it holds one
+  /// Default: TOML, or a remark in parentheses; empty if the key is required.
+  std::string standard = "(none)";
 };
 
 /// Every key, in the order they are documented.
@@ -68,5 +84,46 @@ void check_document(const Node& root);
 
 /// The word of `words` that `word` most likely was meant to be, empty if none is near.
 [[nodiscard]] std::string nearest(std::string_view word, const std::vector<std::string>& words);
+
+/// A checked table of a scene, looked at by key: values, and complaints with their place.
+class TableView {
+ public:
+  /// The top level of a document that passed `check_document`.
+  explicit TableView(const Node& root) : node_(&root), place_(root.place) {}
+  /// The table `node`, whose keys are those of `group`.
+  TableView(const Node& node, std::string group)
+      : node_(&node), group_(std::move(group)), path_(node.path), place_(node.place) {}
+
+  /// The table of that key; an empty one if it is not in the file.
+  [[nodiscard]] TableView table(std::string_view name) const;
+  /// Views of the tables of a list; none if the key is not in the file.
+  [[nodiscard]] std::vector<TableView> tables(std::string_view name) const;
+
+  /// The value, nullptr if it is not in the file.
+  [[nodiscard]] const Node* find(std::string_view name) const;
+  [[nodiscard]] bool has(std::string_view name) const { return find(name) != nullptr; }
+  /// The value; InputError that names the missing key and its meaning.
+  const Node& require(std::string_view name) const;
+
+  /// Where this table starts.
+  [[nodiscard]] const Place& place() const { return place_; }
+  /// Where the value of a key stands, or the start of the table if it is not in the file.
+  [[nodiscard]] Place place_of(std::string_view name) const;
+  [[nodiscard]] const std::string& path() const { return path_; }
+  [[nodiscard]] const Node* node() const { return node_; }
+
+ private:
+  TableView(std::string group, std::string path, Place place)
+      : group_(std::move(group)), path_(std::move(path)), place_(std::move(place)) {}
+  [[nodiscard]] const Key& key(std::string_view name) const;
+
+  const Node* node_ = nullptr;  // nullptr: the table is not in the file
+  std::string group_, path_;
+  Place place_;
+};
+
+/// A list of exactly `length` numbers; `meaning` says what of, for the message.
+[[nodiscard]] std::vector<double> read_vector(const Node& node, int length,
+                                              const std::string& meaning);
 
 }  // namespace tlsph

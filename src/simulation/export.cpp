@@ -10,11 +10,10 @@
 #include "tlsph/core/error.hpp"
 #include "tlsph/core/stop.hpp"
 #include "tlsph/dynamics/stabiliser_forces.hpp"
+#include "tlsph/io/cloud.hpp"
 #include "tlsph/io/files.hpp"
 #include "tlsph/io/json.hpp"
-#include "tlsph/io/matrix_market.hpp"
-#include "tlsph/io/new_files.hpp"
-#include "tlsph/io/operators_file.hpp"
+#include "tlsph/io/matrices.hpp"
 #include "tlsph/model/builder.hpp"
 #include "tlsph/operators/gradients.hpp"
 #include "tlsph/scene/names.hpp"
@@ -48,17 +47,21 @@ Json earlier(const std::filesystem::path& report) {
   }
 }
 
-/// Writes operators one by one and describes each in the report.
+/// Writes operators one by one and describes each in the report. operators.h5 holds them all, and
+/// beside them what they map between, /particles/{X, V, tag} and /points/{X, V}.
 class Exporter {
  public:
   Exporter(const std::filesystem::path& directory, const CloudView& particles,
            const CloudView& points)
-      : directory_(directory), file_(directory / "operators.h5", particles, points) {}
+      : directory_(directory), file_(Hdf5File::create(directory / "operators.h5")) {
+    write_cloud(file_, "/particles", particles);
+    write_cloud(file_, "/points", points);
+  }
 
   void write(const std::string& name, const SparseMatrix& matrix) {
     stop_point();
     write_matrix_market(directory_ / (name + ".mtx"), matrix);
-    file_.write(name, matrix);
+    write_compressed_rows(file_, name, matrix);
     Json entry;
     entry.set("rows", matrix.rows());
     entry.set("columns", matrix.cols());
@@ -91,7 +94,7 @@ class Exporter {
 
  private:
   std::filesystem::path directory_;
-  OperatorsFile file_;
+  Hdf5File file_;
   Json report_;
 };
 

@@ -7,7 +7,7 @@
 #include <regex>
 #include <string>
 
-#include "tlsph/scene/places.hpp"
+#include "tlsph/scene/reader.hpp"
 
 namespace tlsph {
 

@@ -97,7 +97,7 @@ RunOutput<D>::RunOutput(const std::filesystem::path& directory, const Scene& sce
   const auto probes_path = directory / "probes.csv";
   const auto exact_path = directory / "probes_exact.csv";
   if (!resumed) {
-    run_file_.emplace(RunFile::create(run_path, layout_, start));
+    run_file_.emplace(run_path, layout_, start);
     probe_file_.emplace(probes_path, columns);
     if (has_exact) exact_file_.emplace(exact_path, known);
     return;

@@ -82,18 +82,18 @@ std::string Summary::json() const {
   } else {
     tree.set("consistency", nullptr);
   }
-  tree.make_list("loads");
+  std::vector<Json> patches;
   for (const LoadedPatch& load : loads) {
-    Json entry;
+    Json& entry = patches.emplace_back();
     entry.set("where", load.where);
     entry.set("length", load.length);
     entry.set("resultant", load.resultant);
-    tree.append("loads", entry);
   }
+  tree.set("loads", patches);
   tree.set("warnings", warnings);
-  tree.set_or_null("boundary_solver", boundary_solver);
+  tree.set("boundary_solver", Json::text_or_null(boundary_solver));
   tree.set("interrupted", interrupted);
-  tree.set_or_null("failure", failure);
+  tree.set("failure", Json::text_or_null(failure));
   return tree.dump() + '\n';
 }
 

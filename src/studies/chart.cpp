@@ -11,7 +11,6 @@
 #include "tlsph/analysis/not_known.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/io/files.hpp"
-#include "tlsph/io/new_files.hpp"
 #include "tlsph/scene/reader.hpp"
 #include "tlsph/simulation/version.hpp"
 #include "tlsph/studies/chart_search.hpp"

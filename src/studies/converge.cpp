@@ -8,7 +8,6 @@
 #include "readings.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/io/files.hpp"
-#include "tlsph/io/new_files.hpp"
 #include "tlsph/simulation/version.hpp"
 
 namespace tlsph {

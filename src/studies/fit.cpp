@@ -12,7 +12,6 @@
 #include "tlsph/core/stop.hpp"
 #include "tlsph/core/stopwatch.hpp"
 #include "tlsph/io/files.hpp"
-#include "tlsph/io/new_files.hpp"
 #include "tlsph/scene/reader.hpp"
 #include "tlsph/simulation/version.hpp"
 

@@ -16,19 +16,18 @@
 
 namespace tlsph {
 
-/// A checkpoint to be written, on arrays that the caller keeps alive.
-struct CheckpointView {
-  std::map<std::string, std::span<const double>> arrays;
+template <class Array>
+struct CheckpointEntries {
+  std::map<std::string, Array> arrays;
   std::map<std::string, std::int64_t> integers;
   std::map<std::string, std::string> texts;
 };
 
+/// A checkpoint to be written, on arrays that the caller keeps alive.
+using CheckpointView = CheckpointEntries<std::span<const double>>;
+
 /// A checkpoint as read.
-class Checkpoint {
- public:
-  std::map<std::string, std::vector<double>> arrays;
-  std::map<std::string, std::int64_t> integers;
-  std::map<std::string, std::string> texts;
+struct Checkpoint : CheckpointEntries<std::vector<double>> {
   std::filesystem::path path;  ///< where it came from
 
   /// The array of that name; InputError if it is missing.

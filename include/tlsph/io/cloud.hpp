@@ -28,7 +28,4 @@ struct CloudView {
 /// `patches`) into `group`, with their units.
 void write_cloud(Hdf5File& file, const std::string& group, const CloudView& cloud);
 
-/// "m", "m^2" or "m^3": the unit of a volume in d dimensions.
-std::string volume_unit(std::size_t dimension);
-
 }  // namespace tlsph

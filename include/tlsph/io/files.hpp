@@ -6,7 +6,10 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <set>
 #include <string_view>
+
+#include "tlsph/core/error.hpp"
 
 namespace tlsph {
 
@@ -52,5 +55,30 @@ class DirectoryLock {
  private:
   int descriptor_ = -1;
 };
+
+/// What comes into a directory, made with its parents if need be, from here on: a study that finds
+/// its input impossible after its first runs leaves nothing behind.
+class NewFiles {
+ public:
+  explicit NewFiles(std::filesystem::path directory);
+  /// Removes all that was not there at first.
+  void remove() const;
+
+ private:
+  std::filesystem::path directory_, made_;  // made: the uppermost folder that was not there
+  std::set<std::filesystem::path> before_;
+};
+
+/// What `work` returns; an InputError of its removes what came into the directory.
+template <class Work>
+auto removed_if_refused(const std::filesystem::path& directory, const Work& work) {
+  const NewFiles made(directory);
+  try {
+    return work();
+  } catch (const InputError&) {
+    made.remove();
+    throw;
+  }
+}
 
 }  // namespace tlsph

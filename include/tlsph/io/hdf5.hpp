@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// HDF5 files: named arrays of numbers and texts with attributes, and series that grow row by row.
+/// HDF5 files: named arrays of numbers with attributes, and series that grow row by row.
 /// The only door to the HDF5 library, whose types stay behind it. Default file format, so that
 /// every reader opens the files; arrays are row-major.
 ///
@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <ranges>
 #include <span>
 #include <string>
 #include <vector>
@@ -38,8 +39,6 @@ class Hdf5File {
  public:
   /// A new file in place of any old one.
   static Hdf5File create(const std::filesystem::path& path);
-  /// An existing file, to be read and changed.
-  static Hdf5File open(const std::filesystem::path& path);
   static Hdf5File open_read_only(const std::filesystem::path& path);
   Hdf5File(const Hdf5File&) = delete;
   Hdf5File& operator=(const Hdf5File&) = delete;
@@ -56,11 +55,13 @@ class Hdf5File {
 
   // Groups on the way to an item are made as needed; an item that is there already is an error.
   void make_group(const std::string& item);
-  void write(const std::string& item, std::span<const double> values, const Extents& shape);
-  void write(const std::string& item, std::span<const std::int32_t> values, const Extents& shape);
-  void write(const std::string& item, std::span<const std::int64_t> values, const Extents& shape);
-  void write(const std::string& item, const std::string& text);
-  void write(const std::string& item, const std::vector<std::string>& texts);
+  /// `values` are doubles or integers of 32 or 64 bits; a `unit` becomes an attribute.
+  template <std::ranges::contiguous_range Values>
+  void write(const std::string& item, const Values& values, const Extents& shape,
+             const std::string& unit = "") {
+    write_array(item, std::span<const std::ranges::range_value_t<Values>>(values), shape);
+    if (!unit.empty()) set_attribute(item, "unit", unit);
+  }
 
   /// A virtual data set of doubles: its first `count` entries along each direction are those of
   /// `part`, which need not be there yet, all others 0.
@@ -69,8 +70,6 @@ class Hdf5File {
 
   // An attribute of a group or data set; an old one of that name is replaced.
   void set_attribute(const std::string& item, const std::string& name, const std::string& text);
-  void set_attribute(const std::string& item, const std::string& name, const char* text);
-  void set_attribute(const std::string& item, const std::string& name, double value);
   void set_attribute(const std::string& item, const std::string& name, std::int64_t value);
   void set_attribute(const std::string& item, const std::string& name,
                      const std::vector<std::string>& texts);
@@ -91,23 +90,19 @@ class Hdf5File {
   /// First length of the shape of `item`.
   [[nodiscard]] std::size_t rows(const std::string& item) const;
   [[nodiscard]] Extents shape(const std::string& item) const;
-  [[nodiscard]] Hdf5Array<double> read_doubles(const std::string& item) const;
-  [[nodiscard]] Hdf5Array<std::int64_t> read_integers(const std::string& item) const;
-  /// `count` rows from row `first` on; the shape is that of these rows.
+  /// `count` rows of doubles from row `first` on; the shape is that of these rows.
   [[nodiscard]] Hdf5Array<double> read_rows(const std::string& item, std::size_t first,
                                             std::size_t count) const;
-  [[nodiscard]] std::vector<std::string> read_texts(const std::string& item) const;
-  [[nodiscard]] bool has_attribute(const std::string& item, const std::string& name) const;
-  [[nodiscard]] std::string text_attribute(const std::string& item, const std::string& name) const;
-  [[nodiscard]] std::vector<std::string> texts_attribute(const std::string& item,
-                                                         const std::string& name) const;
-  [[nodiscard]] double double_attribute(const std::string& item, const std::string& name) const;
-  [[nodiscard]] std::int64_t integer_attribute(const std::string& item,
-                                               const std::string& name) const;
+  /// All rows.
+  [[nodiscard]] Hdf5Array<double> read_doubles(const std::string& item) const {
+    return read_rows(item, 0, rows(item));
+  }
 
  private:
   struct Open;
   explicit Hdf5File(std::unique_ptr<Open> open);
+  template <class Value>
+  void write_array(const std::string& item, std::span<const Value> values, const Extents& shape);
   std::unique_ptr<Open> open_;
 };
 

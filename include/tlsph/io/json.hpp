@@ -52,11 +52,6 @@ class Json {
   static Json read(const std::filesystem::path& path);
 
   void set(std::string_view path, Json value);
-  void set_or_null(std::string_view path, std::string_view text) { set(path, text_or_null(text)); }
-  /// Adds `element` to the list at `path`, which is made if it is not there.
-  void append(std::string_view path, Json element);
-  /// Makes the list at `path` if it is not there, so that an empty one is written too.
-  void make_list(std::string_view path);
 
   [[nodiscard]] bool has(std::string_view path) const;
   [[nodiscard]] bool is_null(std::string_view path) const;

@@ -87,8 +87,7 @@ class RunFile {
  public:
   /// A new file, complete but for its frames; it replaces an old one with the first frame or flush.
   /// Write the series row of t = 0 before that.
-  static RunFile create(const std::filesystem::path& path, const RunLayout& layout,
-                        const RunStart& start);
+  RunFile(const std::filesystem::path& path, const RunLayout& layout, const RunStart& start);
   /// A file that goes on after the first `rows` of the one at `path`, and replaces it. They are
   /// copied into a new one: to shorten series in place would put all of them at risk while it
   /// lasts. Throws InputError if the old file holds fewer, is not of this layout, or not what was
@@ -111,9 +110,7 @@ class RunFile {
   void close();
 
  private:
-  RunFile(const std::filesystem::path& path, const RunLayout& layout, const RunStart& start);
   void append(const std::string& item, std::span<const double> values);
-  void append_series();
   void commit(std::span<const double> frame_time);
 
   std::filesystem::path path_;  // the name it is to have

@@ -20,9 +20,6 @@
 
 namespace tlsph {
 
-/// Whether the grids of such a run are the cells that its points stand for.
-[[nodiscard]] bool draws_cells(const RunLayout& layout);
-
 /// The document for frames at `times` [s] in the file `run_file`, seen through `view_file`; both
 /// are paths relative to the document.
 std::string xdmf_document(const RunLayout& layout, std::span<const double> times,

@@ -22,6 +22,10 @@ namespace tlsph {
 [[nodiscard]] Scene read_scene_text(const std::string& text, const std::string& name,
                                     const std::vector<std::string>& overrides = {});
 
+/// For errors that only show when the body is built: where `key` stands in the scene's file; of one
+/// that is not there, where the table around it does.
+[[nodiscard]] Place place_of(const Scene& scene, const std::string& key);
+
 /// Every key of a scene: type, unit, default, range and one line on what it does.
 [[nodiscard]] std::string scene_reference();
 

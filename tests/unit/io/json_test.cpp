@@ -52,8 +52,8 @@ TEST(Json, NothingIsNull) {
   Json json;
   json.set("known", std::optional<double>(0.5));
   json.set("unknown", std::optional<double>());
-  json.set_or_null("text", "said");
-  json.set_or_null("silent", "");
+  json.set("text", Json::text_or_null("said"));
+  json.set("silent", Json::text_or_null(""));
 
   EXPECT_EQ(json.dump(-1), R"({"known":0.5,"unknown":null,"text":"said","silent":null})");
 }
@@ -103,11 +103,12 @@ TEST(Json, TextThatIsNotUtf8CostsNoDocument) {
 
 TEST(Json, ListsOfObjectsMakeTables) {
   Json table, row;
-  table.make_list("rows");
-  row.set("n", 1);
-  table.append("rows", row);
-  row.set("n", 2);
-  table.append("rows", row);
+  std::vector<Json> both;
+  for (const int n : {1, 2}) {
+    row.set("n", n);
+    both.push_back(row);
+  }
+  table.set("rows", both);
   table.set("copy", table);
 
   const auto rows = table.list("copy.rows");

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "hdf5_reading.hpp"
 #include "run_fixture.hpp"
 #include "tlsph/core/error.hpp"
 
@@ -41,20 +42,20 @@ INSTANTIATE_TEST_SUITE_P(Dimensions, RunFilesInDimensions, testing::Values(1, 2)
 
 TEST_P(RunFilesInDimensions, HoldTheNodesOfCells) {
   const std::size_t d = GetParam();
-  RunFile::create(path, layout_of_cells(d), start_of_cells(d)).close();
+  RunFile(path, layout_of_cells(d), start_of_cells(d)).close();
 
   const Hdf5File file = Hdf5File::open_read_only(path);
 
-  const auto cells = file.read_integers("/points/cells");
-  EXPECT_THAT(cells.shape, ElementsAre(2, d == 1 ? 2 : 4));
+  const auto cells = test::read_integers(file, "/points/cells");
+  EXPECT_THAT(file.shape("/points/cells"), ElementsAre(2, d == 1 ? 2 : 4));
   if (d == 1)
-    EXPECT_THAT(cells.values, ElementsAre(0, 1, 1, 2));
+    EXPECT_THAT(cells, ElementsAre(0, 1, 1, 2));
   else
-    EXPECT_THAT(cells.values, ElementsAre(0, 1, 2, 2, 1, 2, 0, 0));
+    EXPECT_THAT(cells, ElementsAre(0, 1, 2, 2, 1, 2, 0, 0));
 }
 
 TEST_F(RunFiles, KeepCellsWhenResumed) {
-  RunFile first = RunFile::create(path, layout_of_cells(), start_of_cells());
+  RunFile first = RunFile(path, layout_of_cells(), start_of_cells());
   write_frame(first, 0);
   const RunRows rows = first.rows();
   first.close();
@@ -62,7 +63,7 @@ TEST_F(RunFiles, KeepCellsWhenResumed) {
   RunFile::resume(path, layout_of_cells(), start_of_cells(), rows).close();
 
   const Hdf5File file = Hdf5File::open_read_only(path);
-  EXPECT_THAT(file.read_integers("/points/cells").values, ElementsAre(0, 1, 2, 2, 1, 2, 0, 0));
+  EXPECT_THAT(test::read_integers(file, "/points/cells"), ElementsAre(0, 1, 2, 2, 1, 2, 0, 0));
 }
 
 TEST_F(RunFiles, HoldNoCellsWherePointsAreNone) {
@@ -76,15 +77,17 @@ TEST_F(RunFiles, SayWhatTheyHold) {
 
   const Hdf5File file = Hdf5File::open_read_only(path);
 
-  EXPECT_EQ(file.text_attribute("/scene", "text"), "title = \"x\"");
-  EXPECT_EQ(file.text_attribute("/scene", "version"), "1.2.3");
-  EXPECT_EQ(file.text_attribute("/frames/pk1", "unit"), "Pa");
-  EXPECT_EQ(file.text_attribute("/frames/pk1", "site"), "points");
-  EXPECT_THAT(file.texts_attribute("/frames/pk1", "components"),
+  EXPECT_THAT(test::texts_attribute(file, "/scene", "text"), ElementsAre("title = \"x\""));
+  EXPECT_THAT(test::texts_attribute(file, "/scene", "version"), ElementsAre("1.2.3"));
+  EXPECT_THAT(test::texts_attribute(file, "/frames/pk1", "unit"), ElementsAre("Pa"));
+  EXPECT_THAT(test::texts_attribute(file, "/frames/pk1", "site"), ElementsAre("points"));
+  EXPECT_THAT(test::texts_attribute(file, "/frames/pk1", "components"),
               ElementsAre("xx", "xy", "yx", "yy"));
-  EXPECT_EQ(file.text_attribute("/series/time", "unit"), "s");
-  EXPECT_EQ(file.text_attribute("/series/linear_momentum", "unit"), "kg m/s");
-  EXPECT_THAT(file.texts_attribute("/particles/tag", "patches"), ElementsAre("left", "right"));
+  EXPECT_THAT(test::texts_attribute(file, "/series/time", "unit"), ElementsAre("s"));
+  EXPECT_THAT(test::texts_attribute(file, "/series/linear_momentum", "unit"),
+              ElementsAre("kg m/s"));
+  EXPECT_THAT(test::texts_attribute(file, "/particles/tag", "patches"),
+              ElementsAre("left", "right"));
 }
 
 TEST_F(RunFiles, TakeTheirNameWithTheFirstFrame) {

@@ -23,11 +23,11 @@ class SmallRun : public TemporaryDirectory {
   }
 
   RunFile create(std::size_t dimension = 2) const {
-    return RunFile::create(path, layout(dimension), start(dimension));
+    return RunFile(path, layout(dimension), start(dimension));
   }
   /// Of a run that has written so much.
   RunRows rows_of(std::size_t frames, std::size_t rows) const {
-    RunFile run = RunFile::create(directory / "same.h5", layout(), start());
+    RunFile run = RunFile(directory / "same.h5", layout(), start());
     for (std::size_t row = 0; row < rows; ++row) write_row(run, row);
     for (std::size_t frame = 0; frame < frames; ++frame) write_frame(run, frame);
     run.flush();

@@ -24,8 +24,7 @@ class Xdmf : public test::SmallRun {
 
   std::string document_of_a_run(std::size_t dimension, bool cells = false) {
     const RunLayout shape = cells ? layout_of_cells(dimension) : layout(dimension);
-    RunFile run =
-        RunFile::create(path, shape, cells ? start_of_cells(dimension) : start(dimension));
+    RunFile run = RunFile(path, shape, cells ? start_of_cells(dimension) : start(dimension));
     for (std::size_t frame = 0; frame < frames; ++frame) write_frame(run, frame, dimension);
     run.close();
     write_views(views, shape, frames + 2);  // more than there are frames

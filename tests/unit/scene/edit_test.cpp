@@ -12,6 +12,11 @@
 namespace tlsph {
 namespace {
 
+/// Every key has the same value in both, whether given or by default.
+bool equal(const Scene& a, const Scene& b) {
+  return print_scene(a, Printed::all) == print_scene(b, Printed::all);
+}
+
 using testing::HasSubstr;
 using testing::Not;
 
