@@ -1,8 +1,5 @@
 #include "parts.hpp"
-#include "tlsph/exact/bar_wave.hpp"
-#include "tlsph/exact/named_fields.hpp"
-#include "tlsph/exact/swinging_plate.hpp"
-#include "tlsph/exact/uniform_stretch.hpp"
+#include "tlsph/exact/solutions.hpp"
 #include "tlsph/geometry/region.hpp"
 #include "tlsph/model/builder.hpp"
 
