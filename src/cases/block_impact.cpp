@@ -8,7 +8,7 @@
 #include "list.hpp"
 #include "samples.hpp"
 #include "tlsph/analysis/line.hpp"
-#include "tlsph/contrast/current_lattice.hpp"
+#include "tlsph/contrast/growth.hpp"
 #include "tlsph/materials/waves.hpp"
 
 namespace tlsph {

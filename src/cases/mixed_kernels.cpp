@@ -8,7 +8,7 @@
 #include "list.hpp"
 #include "tlsph/analysis/motion_growth.hpp"
 #include "tlsph/analysis/spectrum.hpp"
-#include "tlsph/contrast/current_lattice.hpp"
+#include "tlsph/contrast/growth.hpp"
 #include "tlsph/linear/factorization.hpp"
 #include "tlsph/model/builder.hpp"
 #include "tlsph/operators/gradients.hpp"

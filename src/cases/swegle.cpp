@@ -7,7 +7,7 @@
 
 #include "list.hpp"
 #include "tlsph/analysis/motion_growth.hpp"
-#include "tlsph/contrast/current_lattice.hpp"
+#include "tlsph/contrast/growth.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/model/builder.hpp"
 #include "tlsph/stepping/stepper.hpp"

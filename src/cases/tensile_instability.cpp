@@ -9,7 +9,7 @@
 #include "list.hpp"
 #include "samples.hpp"
 #include "tlsph/analysis/motion_growth.hpp"
-#include "tlsph/contrast/current_lattice.hpp"
+#include "tlsph/contrast/growth.hpp"
 
 namespace tlsph {
 namespace {

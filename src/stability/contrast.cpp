@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "tlsph/analysis/motion_growth.hpp"
-#include "tlsph/contrast/current_lattice.hpp"
+#include "tlsph/contrast/growth.hpp"
 #include "tlsph/core/dimensions.hpp"
 #include "tlsph/core/error.hpp"
 
