@@ -52,8 +52,7 @@ CurrentRun<2> pushed(const AnyKernel& kernel) {
   return result;
 }
 
-struct Growth {
-  std::vector<double> time, energy;
+struct Growth : EnergyHistory {
   double rate = 0.0;  ///< of the velocity
 };
 
