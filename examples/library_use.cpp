@@ -13,7 +13,7 @@
 
 #include <set>
 
-#include "tlsph/exact/swinging_plate.hpp"
+#include "tlsph/exact/solutions.hpp"
 #include "tlsph/filling/lattice.hpp"
 #include "tlsph/materials/lame.hpp"
 #include "tlsph/observe/errors.hpp"

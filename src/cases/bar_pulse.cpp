@@ -22,7 +22,7 @@ constexpr double amplitude = validation_bar::pressure;
 constexpr double duration = validation_bar::duration;
 const double speed = validation_bar::speed;
 constexpr PulseCurve intermediate{-amplitude, duration, 0.5e-6};  // the smoothing of most runs
-const std::array<std::string, 4> formulations = {"thesis", "mirror", "stress-point", "variational"};
+using validation_bar::formulations;
 
 /// Where the front of a stress step stands: with the dispersion of a lattice a step arrives as ∫Ai,
 /// whose value at the place of the exact front is 1/3, and whose largest, at the first zero of Ai,
@@ -54,31 +54,31 @@ void smooth_pulses(CaseRun& run) {
   for (const auto& [smoothing, figure, rise] :
        {std::tuple{"large", "thesis, Fig. 4.7", 2e-6},
         std::tuple{"intermediate", "thesis, Fig. 4.8", intermediate.rise}})
-    for (const std::string& formulation : formulations) {
+    for (const std::string formulation : formulations) {
       const CaseScene wave =
           run.scene(fmt::format("{}-{}", smoothing, formulation), "bar.toml",
                     {"formulation=" + formulation, fmt::format("{}.rise={}", load, rise)});
-      const std::string of = fmt::format(", {} smoothing, {}", smoothing, formulation);
+      const Checks check(run, fmt::format(", {} smoothing, {}", smoothing, formulation));
       const bool exact_edge = formulation == "thesis" || formulation == "mirror";
-      run.check(figure, "stress at point 1 less the load, / 100 kPa" + of, traction_error(wave),
-                exact_edge ? at_most(1e-9) : reported());
+      check(figure, "stress at point 1 less the load, / 100 kPa", traction_error(wave),
+            exact_edge ? at_most(1e-9) : reported());
       for (const auto& [probe, x] : {std::pair{"p2.pk1_xx", 0.05}, std::pair{"p3.pk1_xx", 0.10}})
-        run.check(figure, fmt::format("half of the pressure at {} m{} [s]", x, of),
-                  reaches(wave.samples(probe), 0.5 * amplitude),
-                  relative(3.0 * rise + x / speed, within(formulation, 2e-3, 5e-3)));
+        check(figure, fmt::format("half of the pressure at {} m [s]", x),
+              reaches(wave.samples(probe), 0.5 * amplitude),
+              relative(3.0 * rise + x / speed, within(formulation, 2e-3, 5e-3)));
       const double doubled = plateau(wave.exact_samples("p4.pk1_xx"), rise, 0.15);
-      run.check("thesis, Fig. 4.13", "stress at the fixed end, mean over the pulse" + of + " [Pa]",
-                plateau(wave.samples("p4.pk1_xx"), rise, 0.15),
-                formulation == "variational" ? reported(doubled)
-                                             : relative(doubled, within(formulation, 1e-3, 5e-3)));
-      run.check("thesis, (4.43)", "tension at 0.05 m, back from the loaded end" + of + " [Pa]",
-                plateau(wave.samples("p2.pk1_xx"), rise, 0.35),
-                relative(plateau(wave.exact_samples("p2.pk1_xx"), rise, 0.35),
-                         within(formulation, 2e-3, 1e-2)));
-      run.check("thesis, Fig. 4.13", "displacement of the fixed end" + of + " [m]",
-                peak(wave.samples("p4.displacement_x")), at_most(0.0));
-      run.check("d'Alembert", "relative L2 error of stress at 0.05 m" + of,
-                relative_error(wave, "p2.pk1_xx"), reported());
+      check("thesis, Fig. 4.13", "stress at the fixed end, mean over the pulse [Pa]",
+            plateau(wave.samples("p4.pk1_xx"), rise, 0.15),
+            formulation == "variational" ? reported(doubled)
+                                         : relative(doubled, within(formulation, 1e-3, 5e-3)));
+      check("thesis, (4.43)", "tension at 0.05 m, back from the loaded end [Pa]",
+            plateau(wave.samples("p2.pk1_xx"), rise, 0.35),
+            relative(plateau(wave.exact_samples("p2.pk1_xx"), rise, 0.35),
+                     within(formulation, 2e-3, 1e-2)));
+      check("thesis, Fig. 4.13", "displacement of the fixed end [m]",
+            peak(wave.samples("p4.displacement_x")), at_most(0.0));
+      check("d'Alembert", "relative L2 error of stress at 0.05 m",
+            relative_error(wave, "p2.pk1_xx"), reported());
     }
 }
 
@@ -88,18 +88,18 @@ void square_pulses(CaseRun& run) {
   const std::string square = fmt::format(
       "{}={{ curve = \"table\", time = [0, {}, {}], value = [1, 1, 0], amplitude = {} }}", load,
       duration, 1.0001 * duration, -amplitude);
-  for (const std::string& formulation : formulations) {
+  for (const std::string formulation : formulations) {
     // Small steps, or their errors cancel those of the operators in part.
     const CaseScene wave = run.scene("none-" + formulation, "bar.toml",
                                      {"formulation=" + formulation, square, "time.safety=0.3"});
-    const std::string of = ", no smoothing, " + formulation;
+    const Checks check(run, ", no smoothing, " + formulation);
     const double arrived = 0.10 / speed;
-    run.check("dispersion of the lattice", "a third of the pressure at 0.10 m" + of + " [s]",
-              reaches(wave.samples("p3.pk1_xx"), front_level * amplitude),
-              relative(arrived, within(formulation, 3e-4, 2e-3)));
-    run.check("thesis, Fig. 4.9; Airy", "largest stress at 0.10 m" + of + " [Pa]",
-              peak(wave.samples("p3.pk1_xx"), arrived + duration),
-              relative(front_overshoot * amplitude, within(formulation, 1e-2, 2e-2)));
+    check("dispersion of the lattice", "a third of the pressure at 0.10 m [s]",
+          reaches(wave.samples("p3.pk1_xx"), front_level * amplitude),
+          relative(arrived, within(formulation, 3e-4, 2e-3)));
+    check("thesis, Fig. 4.9; Airy", "largest stress at 0.10 m [Pa]",
+          peak(wave.samples("p3.pk1_xx"), arrived + duration),
+          relative(front_overshoot * amplitude, within(formulation, 1e-2, 2e-2)));
   }
 }
 
@@ -108,26 +108,25 @@ void other_ends(CaseRun& run) {
   for (const std::string treatment : {"as-printed", "eta"}) {
     const CaseScene wave = run.scene("intermediate-" + treatment, "bar.toml",
                                      {"formulation=thesis", "boundary_treatment=" + treatment});
-    const std::string of = ", intermediate smoothing, thesis " + treatment;
-    run.check("thesis, (2.47)", "stress at point 1 less the load, / 100 kPa" + of,
-              traction_error(wave), at_most(1e-9));
-    run.check("d'Alembert", "relative L2 error of stress at 0.05 m" + of,
-              relative_error(wave, "p2.pk1_xx"), reported());
+    const Checks check(run, ", intermediate smoothing, thesis " + treatment);
+    check("thesis, (2.47)", "stress at point 1 less the load, / 100 kPa", traction_error(wave),
+          at_most(1e-9));
+    check("d'Alembert", "relative L2 error of stress at 0.05 m", relative_error(wave, "p2.pk1_xx"),
+          reported());
   }
   const std::string left_only = fmt::format(
       R"(boundary=[{{ where = "left", traction = {{ curve = "pulse", amplitude = {}, duration = {}, rise = {} }} }}])",
       -amplitude, duration, intermediate.rise);
-  for (const std::string& formulation : formulations) {
+  for (const std::string formulation : formulations) {
     const CaseScene wave = run.scene("free-" + formulation, "bar.toml",
                                      {"formulation=" + formulation, left_only, "time.end=50e-6"});
-    const std::string of = ", free right end, " + formulation + " [Pa]";
-    run.check("thesis, (4.43)", "tension at 0.10 m" + of,
-              plateau(wave.samples("p3.pk1_xx"), intermediate.rise, 0.20),
-              relative(plateau(wave.exact_samples("p3.pk1_xx"), intermediate.rise, 0.20),
-                       within(formulation, 2e-3, 1e-2)));
-    run.check("thesis, sec. 4.6.3.4", "stress at the right end" + of,
-              peak(wave.samples("p4.pk1_xx")),
-              formulation == "thesis" || formulation == "mirror" ? at_most(0.0) : reported(0.0));
+    const Checks check(run, ", free right end, " + formulation);
+    check("thesis, (4.43)", "tension at 0.10 m [Pa]",
+          plateau(wave.samples("p3.pk1_xx"), intermediate.rise, 0.20),
+          relative(plateau(wave.exact_samples("p3.pk1_xx"), intermediate.rise, 0.20),
+                   within(formulation, 2e-3, 1e-2)));
+    check("thesis, sec. 4.6.3.4", "stress at the right end [Pa]", peak(wave.samples("p4.pk1_xx")),
+          formulation == "thesis" || formulation == "mirror" ? at_most(0.0) : reported(0.0));
   }
 }
 
@@ -163,7 +162,7 @@ void accuracy(CaseRun& run, const std::string& formulation, double support,
               std::vector<CaseColumn>& table) {
   const bool thesis = formulation == "thesis";
   const bool cell = support == 0.0;
-  const std::string of = ", " + formulation + (cell ? "" : fmt::format(", support {}", support));
+  const Checks check(run, ", " + formulation + (cell ? "" : fmt::format(", support {}", support)));
   const auto number = std::ranges::find(formulations, formulation) - formulations.begin();
   const std::array spacings = {5e-4, 2.5e-4, 1.25e-4};
   std::vector<double> errors;
@@ -175,8 +174,8 @@ void accuracy(CaseRun& run, const std::string& formulation, double support,
         run.scene(fmt::format("{}-{}-{}", formulation, support, spacing), "bar.toml", set);
     if (wave.failed_at) {
       if (spacing == spacings.back())
-        run.check("books of the run", "time when growth ends the run, 1200 cells" + of + " [s]",
-                  *wave.failed_at, reported());
+        check("books of the run", "time when growth ends the run, 1200 cells [s]", *wave.failed_at,
+              reported());
       continue;
     }
     const Summary& summary = wave.summary;
@@ -186,14 +185,14 @@ void accuracy(CaseRun& run, const std::string& formulation, double support,
     if (spacing != spacings.back()) continue;
     const double lag = long_wave_lag(build<1>(run.read("bar.toml", set)), summary.dt);
     const double predicted = dispersion_error(lag, spacing);
-    run.check("dispersion of the lattice", "relative L2 error of stress at 0.10 m, 1200 cells" + of,
-              errors.back(), thesis ? reported(predicted) : relative(predicted, 5e-2));
-    run.check("thesis, (4.47)", "critical step c_p Δt/Δ" + of, summary.dt_critical_scaled,
-              cell ? reported() : reported(support));
+    check("dispersion of the lattice", "relative L2 error of stress at 0.10 m, 1200 cells",
+          errors.back(), thesis ? reported(predicted) : relative(predicted, 5e-2));
+    check("thesis, (4.47)", "critical step c_p Δt/Δ", summary.dt_critical_scaled,
+          cell ? reported() : reported(support));
   }
   if (errors.size() < spacings.size()) return;
-  run.check("d'Alembert", "order of convergence of that error" + of,
-            pairwise_orders(spacings, errors).back(), thesis ? reported() : absolute(2.0, 0.1));
+  check("d'Alembert", "order of convergence of that error",
+        pairwise_orders(spacings, errors).back(), thesis ? reported() : absolute(2.0, 0.1));
 }
 
 void supports(CaseRun& run) {

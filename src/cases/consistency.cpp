@@ -73,11 +73,10 @@ std::array<Errors, quantities.size()> on_clouds(const CaseRun& run, const Settin
   return errors;
 }
 
-void judge(CaseRun& run, const Method& method, std::size_t q, const Errors& errors,
-           std::vector<CaseColumn>& columns) {
-  CaseColumn worst(fmt::format("{} {} worst", method.name, quantities[q]));
-  CaseColumn median(fmt::format("{} {} median", method.name, quantities[q]));
-  CaseColumn best(fmt::format("{} {} best", method.name, quantities[q]));
+void check_quantity(CaseRun& run, const Method& method, std::size_t q, const Errors& errors,
+                    std::vector<CaseColumn>& columns) {
+  const std::string name = fmt::format("{} {}", method.name, quantities[q]);
+  CaseColumn worst(name + " worst"), median(name + " median"), best(name + " best");
   for (const auto& sorted : errors) {
     worst.values.push_back(sorted.back());
     median.values.push_back(sorted[sorted.size() / 2]);
@@ -100,7 +99,8 @@ void irregular_plates(CaseRun& run) {
   std::vector<CaseColumn> columns = {{"spacing", spacings_of(cells.size())}};
   for (const Method& method : methods()) {
     const auto errors = on_clouds(run, method.settings);
-    for (std::size_t q = 0; q < quantities.size(); ++q) judge(run, method, q, errors[q], columns);
+    for (std::size_t q = 0; q < quantities.size(); ++q)
+      check_quantity(run, method, q, errors[q], columns);
   }
   run.table("plate", columns);
 }
@@ -117,20 +117,17 @@ void lattices(CaseRun& run) {
   const ConvergenceTable corrected = study(with(cell, {"consistency=true"}));
   const ConvergenceTable collocated = study({});
   for (std::size_t q = 0; q < quantities.size(); ++q) {
-    const auto share = [&](const ConvergenceTable& table, const char* of, const Claim& claim) {
-      run.check("stress points",
-                fmt::format("{} error over that of stress points, lattice of 64 cells a side, {}",
-                            quantities[q], of),
-                table.rows.back().errors[q] / points.rows.back().errors[q], claim);
-    };
-    share(collocated, "consistent, degrees (2, 1)", at_most(2.5));
-    share(corrected, "corrected stress points", relative(1.0, 0.1));
-    const auto order = [&](const ConvergenceTable& table, const char* of) {
-      run.check(exact, fmt::format("order of the {} error, lattice, {}", quantities[q], of),
-                table.fits[q].fit.order, at_least(1.95));
-    };
-    order(corrected, "corrected stress points");
-    order(collocated, "consistent, degrees (2, 1)");
+    const Checks of_collocated(run, ", consistent, degrees (2, 1)");
+    const Checks of_corrected(run, ", corrected stress points");
+    const std::string share = fmt::format(
+        "{} error over that of stress points, lattice of 64 cells a side", quantities[q]);
+    const double best = points.rows.back().errors[q];
+    of_collocated("stress points", share, collocated.rows.back().errors[q] / best, at_most(2.5));
+    of_corrected("stress points", share, corrected.rows.back().errors[q] / best,
+                 relative(1.0, 0.1));
+    const std::string order = fmt::format("order of the {} error, lattice", quantities[q]);
+    of_corrected(exact, order, corrected.fits[q].fit.order, at_least(1.95));
+    of_collocated(exact, order, collocated.fits[q].fit.order, at_least(1.95));
   }
 }
 
@@ -152,17 +149,16 @@ double false_acceleration(const Scene& scene) {
 }
 
 void constant_stress(CaseRun& run) {
-  constexpr const char* source = "equilibrium of constant stress";
-  const auto judge = [&](const char* body, const char* method, double seen, const Claim& claim) {
-    run.check(source, fmt::format("acceleration over |P|/(ρΔ), {}, {}", body, method), seen, claim);
-  };
-  const Settings plain = {"formulation=variational"};
-  judge("disc with a hole", "consistent", false_acceleration<2>(run.read("ring.toml")),
-        at_most(1e-9));
-  judge("bar", "consistent", false_acceleration<1>(run.read("bar.toml")), at_most(1e-9));
-  judge("disc with a hole", "variational", false_acceleration<2>(run.read("ring.toml", plain)),
-        reported());
-  judge("bar", "variational", false_acceleration<1>(run.read("bar.toml", plain)), reported());
+  for (const auto& [method, claim] :
+       {std::pair{"consistent", at_most(1e-9)}, {"variational", reported()}}) {
+    const Settings settings = {fmt::format("formulation={}", method)};
+    const auto check = [&, &claim = claim, &method = method](const char* body, double seen) {
+      run.check("equilibrium of constant stress",
+                fmt::format("acceleration over |P|/(ρΔ), {}, {}", body, method), seen, claim);
+    };
+    check("disc with a hole", false_acceleration<2>(run.read("ring.toml", settings)));
+    check("bar", false_acceleration<1>(run.read("bar.toml", settings)));
+  }
 }
 
 /// A free body on irregular particles flies, turns and vibrates.

@@ -21,7 +21,7 @@ constexpr double place_a = 0.0375;  // of the probes [m]
 constexpr double place_b = 0.1125;
 constexpr double place_wall = 0.074;        // close to the interface, in the material that is there
 constexpr double flank = 2.4 * pulse.rise;  // (1 − erf)/2 is 3e-4 after it
-const std::array<std::string, 4> formulations = {"thesis", "mirror", "stress-point", "variational"};
+using validation_bar::formulations;
 
 /// A bar from 0 to `length`, loaded at 0 from rest. Part A ends at `interface`, where part B
 /// begins; all in SI units.
@@ -155,7 +155,7 @@ void partial_transmission(CaseRun& run) {
                                             {1.0 / 4.0, "1-4", "thesis, Fig. 4.16"},
                                             {4.0, "4", "thesis, Fig. 4.17"},
                                             {16.0, "16", "thesis, Fig. 4.17"}})
-    for (const std::string& formulation : formulations) {
+    for (const std::string formulation : formulations) {
       const TwoPartBar bar = bar_of(ratio, true);
       const CaseScene wave =
           run_wave(run, fmt::format("{}-{}", formulation, name),
@@ -163,40 +163,39 @@ void partial_transmission(CaseRun& run) {
                     fmt::format("material.region[0].density={}", ratio * validation_bar::density)},
                    bar);
       const double through_b = (validation_bar::length - interface) / bar.speed_b;
-      const std::string of = fmt::format(", density × {}, {}", ratio, formulation);
-      run.check(figure, "reflected stress C_r" + of,
-                share(wave.samples("p1.pk1_xx"), (2.0 * interface - place_a) / bar.speed_a,
-                      2.0 * through_b),
-                relative(bar.reflected(), within(formulation)));
-      run.check(figure, "transmitted stress C_t" + of,
-                share(wave.samples("p3.pk1_xx"),
-                      interface / bar.speed_a + (place_b - interface) / bar.speed_b, through_b),
-                relative(bar.transmitted(), within(formulation)));
-      run.check("rays", "relative L2 error of stress at 0.1125 m" + of,
-                relative_error(wave, "p3.pk1_xx"), reported());
+      const Checks check(run, fmt::format(", density × {}, {}", ratio, formulation));
+      check(figure, "reflected stress C_r",
+            share(wave.samples("p1.pk1_xx"), (2.0 * interface - place_a) / bar.speed_a,
+                  2.0 * through_b),
+            relative(bar.reflected(), within(formulation)));
+      check(figure, "transmitted stress C_t",
+            share(wave.samples("p3.pk1_xx"),
+                  interface / bar.speed_a + (place_b - interface) / bar.speed_b, through_b),
+            relative(bar.transmitted(), within(formulation)));
+      check("rays", "relative L2 error of stress at 0.1125 m", relative_error(wave, "p3.pk1_xx"),
+            reported());
     }
 }
 
 /// Figs 4.18 and 4.19: the right half as a wall, and as nothing.
 void extremes(CaseRun& run) {
-  for (const std::string& formulation : formulations) {
+  for (const std::string formulation : formulations) {
     const TwoPartBar wall = bar_of(1e8, true);
     const CaseScene heavy =
         run_wave(run, formulation + "-heavy",
                  {"formulation=" + formulation, "material.region[0].density=8e11"}, wall);
-    const std::string of = ", " + formulation;
+    const Checks check(run, ", " + formulation);
     const double there = interface / wall.speed_a;
-    run.check("thesis, Fig. 4.18", "reflected stress C_r, density × 1e8" + of,
-              share(heavy.samples("p1.pk1_xx"), 2.0 * there - place_a / wall.speed_a, 1.0),
-              relative(wall.reflected(), within(formulation)));
-    run.check("thesis, (4.46)", "stress before the interface, density × 1e8" + of,
-              share(heavy.samples("p2.pk1_xx"), there, 1.0),
-              relative(wall.transmitted(), within(formulation)));
+    check("thesis, Fig. 4.18", "reflected stress C_r, density × 1e8",
+          share(heavy.samples("p1.pk1_xx"), 2.0 * there - place_a / wall.speed_a, 1.0),
+          relative(wall.reflected(), within(formulation)));
+    check("thesis, (4.46)", "stress before the interface, density × 1e8",
+          share(heavy.samples("p2.pk1_xx"), there, 1.0),
+          relative(wall.transmitted(), within(formulation)));
     const double scale = validation_bar::pressure * pulse.duration /
                          (validation_bar::density * validation_bar::speed);
-    run.check("thesis, Fig. 4.18",
-              "displacement of the interface / that of the wave, density × 1e8" + of,
-              peak(heavy.samples("interface.displacement_x")) / scale, at_most(1e-3));
+    check("thesis, Fig. 4.18", "displacement of the interface / that of the wave, density × 1e8",
+          peak(heavy.samples("interface.displacement_x")) / scale, at_most(1e-3));
 
     // With a free right end: held there, a light bar would be a spring, not nothing.
     const TwoPartBar nothing = bar_of(1e-4, false);
@@ -206,11 +205,11 @@ void extremes(CaseRun& run) {
          "time.end=40e-6", "output.probe_every=40",
          R"(boundary=[{ where = "left", traction = { curve = "pulse", amplitude = -100e3, duration = 5e-6, rise = 0.6e-6 } }])"},
         nothing);
-    run.check("thesis, Fig. 4.19", "reflected stress, density × 1e-4" + of,
-              share(light.samples("p1.pk1_xx"), 2.0 * there - place_a / wall.speed_a, 1.0),
-              relative(-1.0, within(formulation)));
-    run.check("rays", "relative L2 error of stress at 0.0375 m, density × 1e-4" + of,
-              relative_error(light, "p1.pk1_xx"), reported());
+    check("thesis, Fig. 4.19", "reflected stress, density × 1e-4",
+          share(light.samples("p1.pk1_xx"), 2.0 * there - place_a / wall.speed_a, 1.0),
+          relative(-1.0, within(formulation)));
+    check("rays", "relative L2 error of stress at 0.0375 m, density × 1e-4",
+          relative_error(light, "p1.pk1_xx"), reported());
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <tuple>
 
 #include "list.hpp"
 #include "sampled_line.hpp"
@@ -60,8 +61,8 @@ struct Study {
   std::function<std::array<double, 2>(int)> errors;
 };
 
-std::array<double, 2> with_sums(LineOperators (*sums)(const AnyKernel&, double, const SampledLine&),
-                                double support, int intervals, int ghosts) {
+using LineSums = LineOperators(const AnyKernel&, double, const SampledLine&);
+std::array<double, 2> with_sums(LineSums* sums, double support, int intervals, int ghosts) {
   const SampledLine line(0.0, 1.0, intervals, ghosts);
   const LineOperators operators = sums(kernel, support, line);
   const ScalarField values = line.sample(f);
@@ -87,27 +88,20 @@ std::array<double, 2> at_stress_points(int intervals) {
 
 void orders(CaseRun& run) {
   const LatticeSums closed(2.5);
+  const std::array<double, 2> ends = {std::abs(closed.value(0.0) - 1),
+                                      std::abs(closed.slope() - 1)};
+  const auto sums = [](LineSums* of, int ghosts) {
+    return [of, ghosts](int n) { return with_sums(of, 2.5, n, ghosts); };
+  };
+  const auto collocated = [](Correction correction) {
+    return [correction](int n) { return corrected(correction, n); };
+  };
   const std::vector<Study> studies = {
-      {"plain sums, no ghosts",
-       {0.0, -1.0},
-       {0.5, 0.0},
-       [](int n) { return with_sums(plain_sums, 2.5, n, 0); }},
-      {"plain sums, ghosts",
-       {0.0, 0.0},
-       {std::abs(closed.value(0.0) - 1), std::abs(closed.slope() - 1)},
-       [](int n) { return with_sums(plain_sums, 2.5, n, layers); }},
-      {"normalised sums, ghosts",
-       {2.0, 2.0},
-       {},
-       [](int n) { return with_sums(normalised_sums, 2.5, n, layers); }},
-      {"gradient correction, no ghosts",
-       {0.0, 1.0},
-       {},
-       [](int n) { return corrected(Correction::gradient, n); }},
-      {"least squares, no ghosts",
-       {0.0, 1.0},
-       {},
-       [](int n) { return corrected(Correction::least_squares, n); }},
+      {"plain sums, no ghosts", {0.0, -1.0}, {0.5, 0.0}, sums(plain_sums, 0)},
+      {"plain sums, ghosts", {0.0, 0.0}, ends, sums(plain_sums, layers)},
+      {"normalised sums, ghosts", {2.0, 2.0}, {}, sums(normalised_sums, layers)},
+      {"gradient correction, no ghosts", {0.0, 1.0}, {}, collocated(Correction::gradient)},
+      {"least squares, no ghosts", {0.0, 1.0}, {}, collocated(Correction::least_squares)},
       {"stress points, no ghosts", {0.0, 2.0}, {}, at_stress_points}};
   const std::array intervals = {40, 80, 160, 320, 640, 1280};
   std::vector<CaseColumn> table = {{"spacing"}};
@@ -124,13 +118,13 @@ void orders(CaseRun& run) {
       if (seen.front() == 0.0) continue;
       const std::string what =
           std::string("largest error of the ") + (k == 0 ? "value" : "derivative");
-      const std::string of = ", support 2.5, " + study.name;
+      const Checks check(run, ", support 2.5, " + study.name);
       if (study.order[k] == 0.0)
-        run.check("thesis, (2.35)", what + " however fine" + of, seen.back(),
-                  absolute(study.floor[k], 0.02 * study.floor[k]));
+        check("thesis, (2.35)", what + " however fine", seen.back(),
+              absolute(study.floor[k], 0.02 * study.floor[k]));
       else
-        run.check("thesis, (2.35)", "order of the " + what + of, fit_order(spacings, seen).order,
-                  absolute(study.order[k], 0.1));
+        check("thesis, (2.35)", "order of the " + what, fit_order(spacings, seen).order,
+              absolute(study.order[k], 0.1));
       table.push_back(errors[k]);
     }
   }
@@ -167,17 +161,12 @@ void quartic(CaseRun& run) {
 }
 
 void sine(CaseRun& run) {
-  struct Figure {
-    const char* name;
-    double end;
-    int intervals;
-  };
   using std::numbers::pi;
   double worst = 0.0;
-  for (const Figure& figure : {Figure{"2.13", 3 * pi, 90}, Figure{"2.14", 3 * pi, 20},
-                               Figure{"2.15", pi, 90}, Figure{"2.16", pi, 20}})
+  for (const auto& [figure, end, intervals] :
+       {std::tuple{"2.13", 3 * pi, 90}, {"2.14", 3 * pi, 20}, {"2.15", pi, 90}, {"2.16", pi, 20}})
     for (const double support : supports) {
-      const SampledLine line(0.0, figure.end, figure.intervals, 2 * layers);
+      const SampledLine line(0.0, end, intervals, 2 * layers);
       const LineOperators sums = plain_sums(kernel, support, line);
       const ScalarField values = line.sample([](double x) { return std::sin(x); });
       const ScalarField slopes = line.sample([](double x) { return std::cos(x); });
@@ -192,7 +181,7 @@ void sine(CaseRun& run) {
       compare(first, slope * slopes);
       compare(sums.derivative * first, -slope * slope * values);
       if (support != supports.front() && support != supports.back()) continue;
-      run.check(fmt::format("thesis, Fig. {}", figure.name),
+      run.check(fmt::format("thesis, Fig. {}", figure),
                 fmt::format("amplitude of the derivative of sin x, support {}", support), slope,
                 reported(1.0));
     }

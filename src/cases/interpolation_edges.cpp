@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "linear_body.hpp"
 #include "sampled_line.hpp"
@@ -31,44 +32,38 @@ double missed(const ScalarField& seen, const ScalarField& exact) {
 }  // namespace
 
 void edges(CaseRun& run) {
-  struct Figure {
-    const char* name;
-    const char* label;
-    int width;  // in spacings
-  };
-  for (const Figure& figure : {Figure{"2.17", "very low", 64}, Figure{"2.18", "low", 16},
-                               Figure{"2.19", "high", 4}, Figure{"2.20", "discontinuous", 1}}) {
-    const std::string source = fmt::format("thesis, Fig. {}", figure.name);
+  for (const auto& [figure, name, spacings] : {std::tuple{"2.17", "very low", 64},
+                                               {"2.18", "low", 16},
+                                               {"2.19", "high", 4},
+                                               {"2.20", "discontinuous", 1}}) {
+    const std::string source = fmt::format("thesis, Fig. {}", figure);
     const int margin = 12;
-    const SampledLine line(-margin, figure.width + margin, figure.width + 2 * margin, layers);
-    const ScalarField values = line.sample([&](double x) { return edge(x, figure.width); });
+    const int width = spacings;
+    const SampledLine line(-margin, width + margin, width + 2 * margin, layers);
+    const ScalarField values = line.sample([width](double x) { return edge(x, width); });
     const ScalarField exact =
-        line.real(line.sample([&](double x) { return edge_slope(x, figure.width); }));
+        line.real(line.sample([width](double x) { return edge_slope(x, width); }));
     std::vector<CaseColumn> table = {{"x", line.real(line.X.col(0))}, {"exact", exact}};
     for (const double support : supports) {
       const ScalarField plain = line.real(plain_sums(kernel, support, line).derivative * values);
       const ScalarField normalised =
           line.real(normalised_sums(kernel, support, line).derivative * values);
-      if (figure.width == 64)
+      if (width == 64)
         run.check(source,
                   fmt::format("slope in the middle of the edge, of the true one, support {}, "
                               "plain sums: −Σ j W'_j",
                               support),
                   plain[margin + 32] * -64.0, relative(LatticeSums(support).slope(), 1e-10));
+      const std::string share =
+          fmt::format("share of a {} gradient that is missed, support {}", name, support);
       if (support == 1.5 || support == 2.5 || support == 5.5)
-        run.check(source,
-                  fmt::format("share of a {} gradient that is missed, support {}, plain sums",
-                              figure.label, support),
-                  missed(plain, exact), reported(0.0));
+        run.check(source, share + ", plain sums", missed(plain, exact), reported(0.0));
       if (support == 1.5)
-        run.check(source,
-                  fmt::format("share of a {} gradient that is missed, support {}, normalised",
-                              figure.label, support),
-                  missed(normalised, exact), at_most(1e-12));
+        run.check(source, share + ", normalised", missed(normalised, exact), at_most(1e-12));
       table.emplace_back(fmt::format("plain {}", support), plain);
       table.emplace_back(fmt::format("normalised {}", support), normalised);
     }
-    run.table(fmt::format("edge{}", figure.width), table);
+    run.table(fmt::format("edge{}", width), table);
   }
 }
 

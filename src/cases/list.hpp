@@ -3,7 +3,7 @@
 /// The cases, a function each, in the order of the table: the name of its folder and function, a
 /// title, about how many seconds it takes on one core, whether it is part of --quick.
 
-#include "tlsph/studies/validation.hpp"
+#include "checks.hpp"
 
 #define TLSPH_CASES(CASE)                                                                          \
   CASE(large_stretch, "a bar stretched sixfold; loss of hyperbolicity", 4.0, true)                 \

@@ -8,7 +8,7 @@
 #include "list.hpp"
 #include "tlsph/analysis/history.hpp"
 #include "tlsph/analysis/spectrum.hpp"
-#include "tlsph/contrast/current_lattice.hpp"
+#include "tlsph/contrast/growth.hpp"
 #include "tlsph/linear/factorization.hpp"
 #include "tlsph/model/builder.hpp"
 #include "tlsph/operators/gradients.hpp"
@@ -52,8 +52,7 @@ CurrentRun<2> pushed(const AnyKernel& kernel) {
   return result;
 }
 
-struct Growth {
-  std::vector<double> time, energy;
+struct Growth : EnergyHistory {
   double rate = 0.0;  ///< of the velocity
 };
 

@@ -34,7 +34,7 @@ ScalarField SampledLine::sample(const Function& f) const {
 
 LineOperators plain_sums(const AnyKernel& kernel, double support, const SampledLine& line) {
   const double h = support * line.spacing;
-  return {"plain sums", kernel_matrix<1>(kernel, h, line.X, line.V),
+  return {kernel_matrix<1>(kernel, h, line.X, line.V),
           plain_gradient<1>(kernel, h, line.X, line.V).matrix(0)};
 }
 
@@ -50,7 +50,7 @@ LineOperators normalised_sums(const AnyKernel& kernel, double support, const Sam
       entries[0].emplace_back(p, q, stencil.value[k]);
       entries[1].emplace_back(p, q, stencil.gradient[k][0]);
     }
-  LineOperators result{"normalised sums", SparseMatrix(N, N), SparseMatrix(N, N)};
+  LineOperators result{SparseMatrix(N, N), SparseMatrix(N, N)};
   result.value.setFromTriplets(entries[0].begin(), entries[0].end());
   result.derivative.setFromTriplets(entries[1].begin(), entries[1].end());
   return result;

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <functional>
-#include <string>
 
 #include "tlsph/kernels/families.hpp"
 #include "tlsph/particles/particles.hpp"
@@ -33,9 +32,7 @@ struct SampledLine {
 
 /// Value and derivative at every particle, as matrices over all of them.
 struct LineOperators {
-  std::string name;
-  SparseMatrix value;
-  SparseMatrix derivative;
+  SparseMatrix value, derivative;
 };
 
 /// The sums of the thesis, (2.31) and (2.33); supports in spacings.

@@ -20,19 +20,16 @@ void satellite(CaseRun& run) {
         run.scene(formulation, "satellite.toml",
                   {fmt::format("formulation={}", formulation), fmt::format("time.step={}", step),
                    fmt::format("time.end={}", end), "output.frames=0", "output.energy_every=50"});
+    const Checks check(run, fmt::format(", {}", formulation));
     if (scene.failed_at) {
-      run.check(source, fmt::format("simulated time, {} [s]", formulation), *scene.failed_at,
-                at_least(end));
+      check(source, "simulated time [s]", *scene.failed_at, at_least(end));
       continue;
     }
-    const Summary& summary = scene.summary;
-    const std::string of = std::string(", ") + formulation;
-    run.check(source, "steps" + of, static_cast<double>(summary.steps), at_least(1e5));
-    run.check(source, "drift of the linear momentum" + of, summary.linear_momentum_drift,
-              at_most(1e-11));
-    run.check(source, "drift of the angular momentum" + of, summary.angular_momentum_drift,
-              at_most(1e-11));
-    run.check(source, "drift of the energy" + of, summary.energy.drift_relative, at_most(1e-2));
+    const Summary& seen = scene.summary;
+    check(source, "steps", static_cast<double>(seen.steps), at_least(1e5));
+    check(source, "drift of the linear momentum", seen.linear_momentum_drift, at_most(1e-11));
+    check(source, "drift of the angular momentum", seen.angular_momentum_drift, at_most(1e-11));
+    check(source, "drift of the energy", seen.energy.drift_relative, at_most(1e-2));
   }
   (void)run.scene("frames", "satellite.toml", {"time.step=0.0148", "time.end=24"});
 }

@@ -68,14 +68,14 @@ void sheet_waves(CaseRun& run) {
   for (const std::string formulation : {"thesis", "mirror", "variational", "stress-point"}) {
     const CaseScene scene =
         run.scene("strain-" + formulation, "strain_wave.toml", settings(formulation));
-    run.check("thesis, Fig. 5.7", "speed of the strain wave, " + formulation + " [m/s]",
-              front_speed(scene), relative(strain_speed, 2e-3));
-    run.check("thesis, Fig. 5.7", "P_yy/P_xx in the strain wave, " + formulation,
-              stress_ratio(scene), relative(poisson / (1 - poisson), 1e-3));
-    run.check("thesis, Fig. 5.7", "unevenness of u_x through the thickness, " + formulation,
-              unevenness(scene),
-              formulation == "thesis" ? reported()
-                                      : at_most(formulation == "variational" ? 1e-4 : 1e-12));
+    const Checks check(run, ", " + formulation);
+    check("thesis, Fig. 5.7", "speed of the strain wave [m/s]", front_speed(scene),
+          relative(strain_speed, 2e-3));
+    check("thesis, Fig. 5.7", "P_yy/P_xx in the strain wave", stress_ratio(scene),
+          relative(poisson / (1 - poisson), 1e-3));
+    check("thesis, Fig. 5.7", "unevenness of u_x through the thickness", unevenness(scene),
+          formulation == "thesis" ? reported()
+                                  : at_most(formulation == "variational" ? 1e-4 : 1e-12));
   }
   for (const std::string formulation : {"variational", "stress-point"})
     for (const std::string assumption : {"strain", "stress"}) {
@@ -83,14 +83,13 @@ void sheet_waves(CaseRun& run) {
           run.scene(fmt::format("plane-{}-{}", assumption, formulation), "stress_wave.toml",
                     with(settings(formulation), {"material.assumption=" + assumption}));
       const bool strain = assumption == "strain";
-      const std::string of = fmt::format(" in plane {}, {}", assumption, formulation);
+      const Checks check(run, fmt::format(" in plane {}, {}", assumption, formulation));
       const double modulus =
           p_modulus(2, Assumption::stress, young, poisson) * (strain ? 1 : 1 - poisson * poisson);
-      run.check(strain ? "sqrt(E/(rho (1 - nu^2)))" : "thesis, Fig. 5.9",
-                "speed of the stress wave" + of + " [m/s]", front_speed(scene),
-                relative(wave_speed(modulus, density), 5e-3));
-      run.check("thesis, Fig. 5.9", "P_yy/P_xx in the stress wave" + of, stress_ratio(scene),
-                at_most(0.01));
+      check(strain ? "sqrt(E/(rho (1 - nu^2)))" : "thesis, Fig. 5.9",
+            "speed of the stress wave [m/s]", front_speed(scene),
+            relative(wave_speed(modulus, density), 5e-3));
+      check("thesis, Fig. 5.9", "P_yy/P_xx in the stress wave", stress_ratio(scene), at_most(0.01));
       if (strain)
         run.check("thesis, Fig. 5.9",
                   "the same speed beside the one the thesis has, " + formulation + " [m/s]",

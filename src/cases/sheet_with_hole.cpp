@@ -39,11 +39,10 @@ double edge_stress(const AnyLaw<2>& law, double strain) {
 /// A run at rest: its nodes, their displacements and the stresses of its material points.
 class AtRest {
  public:
-  explicit AtRest(const CaseScene& scene) {
-    X_ = scene.data("particles/X");
-    u_ = scene.frame("displacement", 1).value();
-    sigma_ = scene.frame("cauchy", 1).value();
-  }
+  explicit AtRest(const CaseScene& scene)
+      : X_(scene.data("particles/X")),
+        u_(scene.frame("displacement", 1).value()),
+        sigma_(scene.frame("cauchy", 1).value()) {}
 
   /// The stress at the top of the hole, from the stretch of the edge: even in the angle, it is the
   /// parabola through the middles of the first two chords.
@@ -99,8 +98,8 @@ CaseScene pull(CaseRun& run, const std::string& label, const std::string& formul
 }
 
 /// How values at `spacings` converge, and whether to `reference`.
-void judge(CaseRun& run, const std::string& text, double reference,
-           const std::vector<double>& values) {
+void check_limit(CaseRun& run, const std::string& text, double reference,
+                 const std::vector<double>& values) {
   constexpr const char* source = "finite elements at rest";
   std::vector<double> differences;
   for (std::size_t k = 1; k < values.size(); ++k) differences.push_back(values[k] - values[k - 1]);
@@ -129,8 +128,9 @@ void converge(CaseRun& run, std::vector<CaseColumn>& columns) {
     end = large.probe("edge.displacement_x").back();
     restless = std::max(restless, large.summary.energy.kinetic / large.summary.energy.elastic);
   }
-  judge(run, "peak stress over the load, linear, stress-point", concentration, peaks[0].values);
-  judge(run, "peak stress, stress-point [Pa]", peak_stress, peaks[1].values);
+  check_limit(run, "peak stress over the load, linear, stress-point", concentration,
+              peaks[0].values);
+  check_limit(run, "peak stress, stress-point [Pa]", peak_stress, peaks[1].values);
   run.check("finite elements at rest", "way of the pulled edge, stress-point [m]", end,
             relative(way, 1e-3));
   run.check("", "kinetic over elastic energy at the end", restless, at_most(1e-5));

@@ -82,21 +82,20 @@ void around_the_limit(CaseRun& run) {
     const double limit = 2.0 / std::sqrt(spectrum.front().real());
     const double computed = computed_limit(run, set);
     const double per_spacing = speed / 5e-4;
-    const std::string of = ", " + formulation;
-    run.check("spectrum of the operators", "computed limit c_p Δt/Δ" + of, computed * per_spacing,
-              relative(limit * per_spacing, 2e-3));
+    const Checks check(run, ", " + formulation);
+    check("spectrum of the operators", "computed limit c_p Δt/Δ", computed * per_spacing,
+          relative(limit * per_spacing, 2e-3));
     const CaseScene below = run.scene(formulation + "-long-below", "bar.toml",
                                       with_step(set, 0.99 * computed, 100.0 * transit));
-    run.check("thesis, Fig. 4.10",
-              "largest stress / 100 kPa in 100 transits at 0.99 of the limit" + of,
-              largest_stress(below), at_most(2.0));
+    check("thesis, Fig. 4.10", "largest stress / 100 kPa in 100 transits at 0.99 of the limit",
+          largest_stress(below), at_most(2.0));
     const double dt = 1.02 * computed;
-    run.check("thesis, Fig. 4.12", "growth a step at 1.02 of the limit" + of,
-              observed_growth(run, set, dt), relative(growth_per_step(spectrum, dt), 1e-2));
+    check("thesis, Fig. 4.12", "growth a step at 1.02 of the limit", observed_growth(run, set, dt),
+          relative(growth_per_step(spectrum, dt), 1e-2));
     const CaseScene above =
         run.scene(formulation + "-long-above", "bar.toml", with_step(set, dt, 100.0 * transit));
-    run.check("books of the run", "end of a run at 1.02 of the limit, in transits" + of,
-              above.failed_at.value_or(INFINITY) / transit, at_most(10.0));
+    check("books of the run", "end of a run at 1.02 of the limit, in transits",
+          above.failed_at.value_or(INFINITY) / transit, at_most(10.0));
     draw_around(run, formulation, set, computed);
   }
 }

@@ -9,7 +9,7 @@
 #include "list.hpp"
 #include "samples.hpp"
 #include "tlsph/analysis/history.hpp"
-#include "tlsph/contrast/current_lattice.hpp"
+#include "tlsph/contrast/growth.hpp"
 
 namespace tlsph {
 namespace {
@@ -80,18 +80,15 @@ Seven updated_lagrangian(double stretch, double size = displaced) {
   displace<1>(run, shift);
   const double dt = 0.05 * spacing / std::sqrt(modulus / density);
   Seven seven;
-  const auto record = [&] {
-    seven.time.push_back(run.state.time);
+  const auto record = [&](const CurrentState<1>& state) {
+    seven.time.push_back(state.time);
     for (std::size_t j = 0; j < 7; ++j) {
       const Index q = middle - 3 + static_cast<Index>(j);
-      seven.w[j].push_back(run.state.x(q) - uniform(q));
+      seven.w[j].push_back(state.x(q) - uniform(q));
     }
   };
-  record();
-  while (run.state.time < end) {
-    advance<1>(run.body, run.state, dt);
-    record();
-  }
+  record(run.state);
+  (void)step_until<1>(run, dt, end, record);
   return seven;
 }
 
@@ -164,10 +161,11 @@ void check_total(CaseRun& run, const std::string& formulation) {
     apart = std::max(apart, largest_difference(plain.w[j], stretched.w[j]));
   }
   const bool thesis = formulation == "thesis";
-  run.check("thesis, Fig. 4.21", "largest displacement over the first, " + formulation,
-            largest / displaced, thesis ? reported() : at_most(1.0 + 1e-9));
-  run.check("thesis, sec. 4.7.3", "change of the motion by the prestress, " + formulation,
-            apart / displaced, thesis ? reported() : at_most(1e-9));
+  const Checks check(run, ", " + formulation);
+  check("thesis, Fig. 4.21", "largest displacement over the first", largest / displaced,
+        thesis ? reported() : at_most(1.0 + 1e-9));
+  check("thesis, sec. 4.7.3", "change of the motion by the prestress", apart / displaced,
+        thesis ? reported() : at_most(1e-9));
   write(run, formulation, stretched);
 }
 

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <vector>
+
+#include "tlsph/core/error.hpp"
+#include "tlsph/linear/krylov.hpp"
 
 namespace tlsph {
 namespace {
@@ -97,10 +99,88 @@ GrowingWave<D> fastest_growth(const StressedLattice<D>& lattice) {
   return fastest;
 }
 
-#define TLSPH_INSTANTIATE(D)                                                   \
-  template Tensor<D> symbol<D>(const StressedLattice<D>&, const Vector<D>&);   \
-  template double growth_rate<D>(const StressedLattice<D>&, const Vector<D>&); \
-  template GrowingWave<D> fastest_growth<D>(const StressedLattice<D>&);
+template <int D>
+CurrentRun<D> current_lattice(const StressedLattice<D>& lattice, const std::array<int, D>& counts,
+                              int held) {
+  Index N = 1;
+  for (const int count : counts) N *= count;
+  CurrentRun<D> run;
+  run.body = {lattice.kernel, lattice.h, lattice.moduli,
+              ScalarField::Constant(N, lattice.density * std::pow(lattice.spacing, D)),
+              VectorField<D>::Ones(N, D)};
+  run.state = {0.0, VectorField<D>(N, D), VectorField<D>::Zero(N, D),
+               ScalarField::Constant(N, lattice.density), TensorField<D>::Zero(N, D * D)};
+  for (Index q = 0; q < N; ++q) {
+    std::array<int, D> at{};
+    int row = static_cast<int>(q);
+    for (std::size_t a = D; a-- > 0; row /= counts[a]) at[a] = row % counts[a];
+    for (std::size_t a = 0; a < D; ++a) {
+      run.state.x(q, static_cast<Index>(a)) = at[a] * lattice.spacing;
+      if (at[a] < held || at[a] >= counts[a] - held) run.body.motion.row(q).setZero();
+      run.state.stress(q, static_cast<Index>(a * (D + 1))) = lattice.stress;
+    }
+  }
+  return run;
+}
+
+template <int D>
+void displace(CurrentRun<D>& run, const VectorField<D>& displacement) {
+  CurrentBody<D> still = run.body;
+  still.motion.setZero();
+  const double time = run.state.time;
+  const VectorField<D> velocity = run.state.v;
+  run.state.v = displacement;
+  advance<D>(still, run.state, 1.0);
+  run.state.v = velocity;
+  run.state.time = time;
+}
+
+template <int D>
+EnergyHistory step_until(CurrentRun<D>& run, double dt, double end,
+                         const std::function<void(const CurrentState<D>&)>& observe) {
+  const double first = kinetic_energy<D>(run.body, run.state);
+  EnergyHistory history;
+  while (run.state.time < end) {
+    try {
+      advance<D>(run.body, run.state, dt);
+    } catch (const NumericalError&) {
+      break;
+    }
+    history.time.push_back(run.state.time);
+    history.energy.push_back(kinetic_energy<D>(run.body, run.state) / first);
+    if (observe) observe(run.state);
+  }
+  return history;
+}
+
+template <int D>
+double linear_growth_rate(const CurrentRun<D>& run) {
+  const VectorField<D> at_rest = acceleration<D>(run.body, run.state);
+  const Index dofs = run.state.x.size();
+  const double size = 1e-7 * run.body.h;
+  const auto derivative = [&](const Eigen::VectorXd& direction, Eigen::VectorXd& change) {
+    CurrentRun<D> moved = run;
+    const auto field = Eigen::Map<const VectorField<D>>(direction.data(), dofs / D, D);
+    displace<D>(moved, size * run.body.motion.cwiseProduct(field));
+    const VectorField<D> a = acceleration<D>(moved.body, moved.state);
+    Eigen::Map<VectorField<D>>(change.data(), dofs / D, D) =
+        run.body.motion.cwiseProduct(a - at_rest) / size;
+  };
+  const auto rightmost =
+      largest_eigenvalue(derivative, dofs, {.max_steps = 300, .tolerance = 1e-3});
+  return std::sqrt(std::max(0.0, rightmost.value));
+}
+
+#define TLSPH_INSTANTIATE(D)                                                                      \
+  template Tensor<D> symbol<D>(const StressedLattice<D>&, const Vector<D>&);                      \
+  template double growth_rate<D>(const StressedLattice<D>&, const Vector<D>&);                    \
+  template GrowingWave<D> fastest_growth<D>(const StressedLattice<D>&);                           \
+  template CurrentRun<D> current_lattice<D>(const StressedLattice<D>&, const std::array<int, D>&, \
+                                            int);                                                 \
+  template void displace<D>(CurrentRun<D>&, const VectorField<D>&);                               \
+  template EnergyHistory step_until<D>(CurrentRun<D>&, double, double,                            \
+                                       const std::function<void(const CurrentState<D>&)>&);       \
+  template double linear_growth_rate<D>(const CurrentRun<D>&);
 TLSPH_INSTANTIATE(1)
 TLSPH_INSTANTIATE(2)
 #undef TLSPH_INSTANTIATE

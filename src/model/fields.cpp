@@ -4,10 +4,7 @@
 
 #include "parts.hpp"
 #include "tlsph/dynamics/state.hpp"
-#include "tlsph/exact/bar_wave.hpp"
-#include "tlsph/exact/named_fields.hpp"
-#include "tlsph/exact/swinging_plate.hpp"
-#include "tlsph/exact/uniform_stretch.hpp"
+#include "tlsph/exact/solutions.hpp"
 #include "tlsph/geometry/region.hpp"
 #include "tlsph/scene/names.hpp"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "parts.hpp"
-#include "tlsph/particles/points.hpp"
 #include "tlsph/particles/delaunay.hpp"
+#include "tlsph/particles/points.hpp"
 
 namespace tlsph::parts {
 namespace {

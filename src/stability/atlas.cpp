@@ -2,14 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <regex>
 
-#include "contrast.hpp"
-#include "crush.hpp"
-#include "evidence.hpp"
-#include "failure.hpp"
-#include "judge.hpp"
-#include "tlsph/core/dimensions.hpp"
+#include "studies.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/core/stop.hpp"
 #include "tlsph/core/stopwatch.hpp"
@@ -17,7 +14,6 @@
 #include "tlsph/io/files.hpp"
 #include "tlsph/linear/factorization.hpp"
 #include "tlsph/simulation/version.hpp"
-#include "waves.hpp"
 
 namespace tlsph {
 namespace {
@@ -42,54 +38,43 @@ class OneThread {
   ThreadCount count_{1};
 };
 
-/// One of the pieces the atlas is drawn of.
-struct Piece {
+/// A study whose rows the atlas takes.
+struct Study {
   std::string name;
   double weight = 1.0;  ///< of the progress
-  std::function<void(Atlas&)> draw;
+  std::function<void(Atlas&)> run;
 };
 
-std::vector<Piece> pieces_of(const Subject& subject, FirstVibration& first) {
-  std::vector<Piece> pieces;
+std::vector<Study> studies_of(const Subject& subject, FirstVibration& first) {
+  std::vector<Study> studies;
   for (const StateKey& key : atlas_states(subject.dimension, subject.poisson))
-    pieces.push_back({key.name(), 1.0, [&subject, &first, key](Atlas& atlas) {
-                        atlas.rows.push_back(judge(subject, key, first));
-                      }});
+    studies.push_back({key.name(), 1.0, [&subject, &first, key](Atlas& atlas) {
+                         atlas.rows.push_back(state_row(subject, key, first));
+                       }});
   for (const Method& method : atlas_methods(subject.dimension))
-    pieces.push_back({"waves of " + method.name, 1.0, [&subject, method](Atlas& atlas) {
-                        try {
-                          atlas.waves.push_back(in_dimension(subject.dimension, [&]<int D>() {
-                            return wave_row<D>(subject, method, subject.poisson);
-                          }));
-                        } catch (const InputError&) {
-                          // The rows of the method say why it cannot be built.
-                        }
-                      }});
-  pieces.push_back({"updated Lagrangian", 10.0,
-                    [&subject](Atlas& atlas) { atlas.contrast = contrast_rows(subject); }});
-  if (!subject.box) return pieces;
-  for (const Method& method : crushed_methods(subject.dimension))
-    for (const auto& [motion, speed] : {std::pair{Motion::pressed, 0.02},
-                                        {Motion::pressed, 0.4},
-                                        {Motion::struck, 0.02},
-                                        {Motion::struck, 0.1}})
-      for (const Follow follow : {Follow::never, Follow::follower})
-        pieces.push_back({fmt::format("crush of {} at {} c", method.name, speed), 5.0,
-                          [&subject, method, motion = motion, speed = speed, follow](Atlas& atlas) {
-                            atlas.crush.push_back(
-                                crush_row(subject, method, motion, speed, 0.95, follow));
-                          }});
-  const Method plain = crushed_methods(subject.dimension).front();
-  const int finer = subject.dimension == 1 ? 16 : 4;
-  pieces.push_back(
-      {"crush of a fine body, " + plain.name, 30.0, [&subject, plain, finer](Atlas& atlas) {
-         atlas.crush.push_back(
-             crush_row(subject, plain, Motion::pressed, 0.02, 0.95, Follow::follower, finer));
-       }});
-  return pieces;
+    studies.push_back({"waves of " + method.name, 1.0, [&subject, method](Atlas& atlas) {
+                         try {
+                           atlas.waves.push_back(wave_row(subject, method));
+                         } catch (const InputError&) {
+                           // The rows of the method say why it cannot be built.
+                         }
+                       }});
+  studies.push_back({"updated Lagrangian", 10.0,
+                     [&subject](Atlas& atlas) { atlas.contrast = contrast_rows(subject); }});
+  if (!subject.box) return studies;
+  for (const Compression& study : compressions(subject.dimension))
+    studies.push_back({study.name(), study.finer > 1 ? 30.0 : 5.0, [&subject, study](Atlas& atlas) {
+                         atlas.compression.push_back(compression_row(subject, study));
+                       }});
+  return studies;
 }
 
 }  // namespace
+
+const PerturbedRun* AtlasRow::run(std::string_view label) const {
+  const auto found = std::ranges::find(runs, label, &PerturbedRun::label);
+  return found == runs.end() ? nullptr : &*found;
+}
 
 Safety Atlas::safety() const {
   Safety safety;
@@ -97,9 +82,9 @@ Safety Atlas::safety() const {
     if (!(row.bound > 0.0) || row.verdict == Verdict::material) continue;
     safety.smallest_share = std::min(safety.smallest_share, row.bound / row.limit);
     safety.largest_share = std::max(safety.largest_share, row.bound / row.limit);
-    if (row.verdict != Verdict::stable && row.verdict != Verdict::soft) continue;
+    if (row.verdict != Verdict::stable && row.verdict != Verdict::zero_energy) continue;
     ++safety.stable_states;
-    const PerturbedRun* run = run_of(row, "0.95");
+    const PerturbedRun* run = row.run("0.95");
     if (run == nullptr || !run->bounded() ||
         !(run->energy_drift < 0.1 || std::isnan(run->energy_drift)))
       ++safety.lost_runs;
@@ -117,30 +102,30 @@ Atlas draw_atlas(const AtlasRequest& request, const AtlasOptions& options) {
   atlas.version = version();
   atlas.dimension = subject.dimension;
   FirstVibration first(subject);
-  std::vector<Piece> pieces = pieces_of(subject, first);
-  std::erase_if(pieces, [&](const Piece& piece) { return !std::regex_search(piece.name, only); });
-  if (pieces.empty())
+  std::vector<Study> studies = studies_of(subject, first);
+  std::erase_if(studies, [&](const Study& study) { return !std::regex_search(study.name, only); });
+  if (studies.empty())
     throw InputError(
         fmt::format("--only: \"{}\" matches no row of the atlas; names look like "
                     "\"{}\"",
                     request.only, "variational 2.5 + S, jitter 0.2, nu 0.3, stretch 0.5"));
   if (!options.out.empty()) make_output_directory(options.out);
   double total = 0.0;
-  for (const Piece& piece : pieces) total += piece.weight;
+  for (const Study& study : studies) total += study.weight;
   double done = 0.0;
-  for (const Piece& piece : pieces) {
+  for (const Study& study : studies) {
     if (options.stop_requested != nullptr && *options.stop_requested) {
       atlas.interrupted = true;
       break;
     }
-    if (options.progress) options.progress(done / total, piece.name);
+    if (options.progress) options.progress(done / total, study.name);
     try {
-      piece.draw(atlas);
+      study.run(atlas);
     } catch (const Stopped&) {
       atlas.interrupted = true;
       break;
     }
-    done += piece.weight;
+    done += study.weight;
   }
   atlas.failures = failures_of(atlas);
   atlas.seconds = watch.seconds();

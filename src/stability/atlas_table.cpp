@@ -2,16 +2,21 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
 
 #include "tlsph/io/files.hpp"
 #include "tlsph/io/table.hpp"
 #include "tlsph/stability/atlas.hpp"
-#include "verdict_names.hpp"
 
 namespace tlsph {
 namespace {
+
+// Of each verdict, in the order of its values.
+constexpr std::array verdict_names = {"refused", "material", "negative",
+                                      "growing", "soft",     "stable"};
+constexpr std::string_view verdict_letters = "RmNGs.";
 
 std::string short_number(double value) {
   if (std::isnan(value)) return "-";
@@ -23,40 +28,34 @@ std::string short_number(double value) {
 /// The range of a quantity over the rows of a method.
 template <class Quantity>
 std::string range_of(const std::vector<const AtlasRow*>& rows, const Quantity& quantity) {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-  for (const AtlasRow* row : rows) {
-    const double value = quantity(*row);
-    if (!std::isfinite(value)) continue;
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-  if (low >= high) return short_number(low == high ? low : not_known);
-  return fmt::format("{} - {}", short_number(low), short_number(high));
+  std::set<double> values;
+  for (const AtlasRow* row : rows)
+    if (const double value = quantity(*row); std::isfinite(value)) values.insert(value);
+  if (values.empty()) return short_number(not_known);
+  const std::string low = short_number(*values.begin());
+  return values.size() == 1 ? low : fmt::format("{} - {}", low, short_number(*values.rbegin()));
 }
 
 /// A letter a state: the stretches of one layout and Poisson ratio side by side.
 std::string letters(const std::vector<const AtlasRow*>& rows) {
   std::string text;
-  const AtlasRow* last = nullptr;
+  const AtlasRow* last = rows.front();
   for (const AtlasRow* row : rows) {
-    if (last != nullptr && row->jitter != last->jitter)
+    if (row->jitter != last->jitter)
       text += " | ";
-    else if (last != nullptr && row->poisson != last->poisson)
+    else if (row->poisson != last->poisson)
       text += ' ';
-    text += name_of(row->verdict).letter;
+    text += verdict_letters.at(static_cast<std::size_t>(row->verdict));
     last = row;
   }
   return text;
 }
 
 /// The values of the scene, each once.
-std::vector<double> values_of(const std::vector<AtlasRow>& rows, double AtlasRow::*value) {
-  std::vector<double> values;
+std::set<double> values_of(const std::vector<AtlasRow>& rows, double AtlasRow::*value) {
+  std::set<double> values;
   for (const AtlasRow& row : rows)
-    if (row.body == "scene") values.push_back(row.*value);
-  std::ranges::sort(values);
-  values.erase(std::unique(values.begin(), values.end()), values.end());
+    if (row.body == "scene") values.insert(row.*value);
   return values;
 }
 
@@ -123,14 +122,15 @@ Table<AtlasRow> state_table() {
       {"poisson", &Row::poisson},
       {"stretch", &Row::stretch},
       {"particles", known(&Row::particles)},
-      {"verdict", [](const Row& row) { return name_of(row.verdict).name; }},
+      {"verdict",
+       [](const Row& row) { return verdict_names.at(static_cast<std::size_t>(row.verdict)); }},
       {"refusal", &Row::refusal},
       {"acoustic", &Row::acoustic},
       {"imbalance", &Row::imbalance},
-      {"unrest", &Row::unrest},
+      {"unrest", &Row::drift},
       {"critical_step", &Row::bound},
       {"true_limit", &Row::limit},
-      {"soft_modes", known(&Row::soft)},
+      {"soft_modes", known(&Row::zero_energy_modes)},
       {"excursion", &Row::excursion},
       {"negative", known(&Row::negative)},
       {"growth", &Row::growth},
@@ -162,8 +162,8 @@ Table<ContrastRow> contrast_table() {
   };
 }
 
-Table<CrushRow> crush_table() {
-  using Row = CrushRow;
+Table<CompressionRow> compression_table() {
+  using Row = CompressionRow;
   const auto speed = [](double value) { return fmt::format("{:g}c", value); };
   const auto percent = [](double share) { return fmt::format("{:.1f}%", 100.0 * share); };
   const auto lost = [](const Row& row) { return row.failure.empty() ? "" : "lost"; };
@@ -172,7 +172,7 @@ Table<CrushRow> crush_table() {
       {"particles", &Row::particles, {"particles", " >9"}},
       {"motion", &Row::motion, {"motion", " <8"}},
       {"speed", &Row::speed, {"edge", " >6", speed}},
-      {"follow", &Row::follow, {"step", " <15"}},
+      {"follow", &Row::step, {"step", " <15"}},
       {"safety", &Row::safety},
       {"steps", &Row::steps, {"steps", " >7"}},
       {"looks", &Row::looks, {"looks", " >7"}},
@@ -189,9 +189,9 @@ Table<CrushRow> crush_table() {
 Table<Failure> failure_table() {
   using Row = Failure;
   return {
-      {"where", &Row::where}, {"what", &Row::what},     {"why", &Row::why},
-      {"cure", &Row::cure},   {"states", &Row::states}, {"evidence", &Row::evidence},
-      {"cured", &Row::cured},
+      {"where", &Row::where},     {"what", &Row::what},     {"why", &Row::why},
+      {"cure", &Row::cure},       {"states", &Row::states}, {"evidence", &Row::run},
+      {"cured", &Row::cured_run},
   };
 }
 
@@ -256,8 +256,8 @@ std::string Atlas::text() const {
       wave_table(), waves);
   text += titled(fmt::format("Updated Lagrangian, {}D, cubic spline, support 2.4", dimension),
                  contrast_table(), contrast);
-  text +=
-      titled("Compression to a stretch of 0.2 at 0.95 of the critical step", crush_table(), crush);
+  text += titled("Compression to a stretch of 0.2 at 0.95 of the critical step",
+                 compression_table(), compression);
   const Safety safe = safety();
   if (safe.stable_states > 0)
     text += fmt::format(
@@ -269,7 +269,7 @@ std::string Atlas::text() const {
         "\n{} ({} state{})\n  fails: {}\n  why:   {}\n  cure:  {}\n  run:   {}\n  "
         "cured: {}\n",
         failure.where, failure.states, failure.states == 1 ? "" : "s", failure.what, failure.why,
-        failure.cure, failure.evidence, failure.cured);
+        failure.cure, failure.run, failure.cured_run);
   return text + fmt::format("\n{} states, {} methods' waves, {:.0f} s{}\n", rows.size(),
                             waves.size(), seconds, interrupted ? ", interrupted" : "");
 }
@@ -284,15 +284,15 @@ void Atlas::write(const std::filesystem::path& directory) const {
   json.set("dimension", dimension);
   json.set("seconds", seconds);
   json.set("interrupted", interrupted);
-  const Safety safe = safety();
-  json.set("step.smallest_share", safe.smallest_share);
-  json.set("step.largest_share", safe.largest_share);
-  json.set("step.stable_states", safe.stable_states);
-  json.set("step.lost_runs", safe.lost_runs);
+  const Safety step = safety();
+  json.set("step.smallest_share", step.smallest_share);
+  json.set("step.largest_share", step.largest_share);
+  json.set("step.stable_states", step.stable_states);
+  json.set("step.lost_runs", step.lost_runs);
   json.set("failures", failure_table().json(failures));
   json.set("waves", wave_table().json(waves));
   json.set("contrast", contrast_table().json(contrast));
-  json.set("crush", crush_table().json(crush));
+  json.set("crush", compression_table().json(compression));
   json.set("rows", state_table().json(rows));
   json.write(directory / "stability.json");
 }

@@ -1,12 +1,10 @@
-#include "contrast.hpp"
-
 #include <algorithm>
 #include <cmath>
 
+#include "studies.hpp"
 #include "tlsph/analysis/history.hpp"
-#include "tlsph/contrast/current_lattice.hpp"
+#include "tlsph/contrast/growth.hpp"
 #include "tlsph/core/dimensions.hpp"
-#include "tlsph/core/error.hpp"
 
 namespace tlsph {
 namespace {
@@ -14,14 +12,6 @@ namespace {
 constexpr double step = 0.05;      ///< [Δ/c]
 constexpr double duration = 70.0;  ///< of a run that need not grow [Δ/c]
 constexpr int held = 3;            ///< layers, so that every free particle has all its neighbours
-
-template <int D>
-std::array<int, D> counts() {
-  if constexpr (D == 1)
-    return {101};
-  else
-    return {19, 19};
-}
 
 template <int D>
 ContrastRow at_stress(const Subject& subject, double ratio) {
@@ -34,27 +24,21 @@ ContrastRow at_stress(const Subject& subject, double ratio) {
   const double unit = subject.spacing / std::sqrt(modulus / subject.density);
   const StressedLattice<D> lattice{CubicSpline{}, 2.4 * subject.spacing, subject.spacing,
                                    moduli,        subject.density,       ratio * modulus};
-  CurrentRun<D> run = current_lattice<D>(lattice, counts<D>(), held);
+  std::array<int, D> counts;
+  counts.fill(D == 1 ? 101 : 19);
+  CurrentRun<D> run = current_lattice<D>(lattice, counts, held);
   ContrastRow row;
   row.dimension = D;
   row.stress = ratio;
   row.expected = linear_growth_rate<D>(run) * unit;
   if (row.expected < 1e-3) row.expected = 0.0;
   run.state.v(run.state.v.rows() / 2, 0) = 1e-10 * subject.spacing / unit;
-  const double first = kinetic_energy<D>(run.body, run.state);
   const double end = row.expected > 0.0 ? 22.0 / row.expected : duration;
-  std::vector<double> time, energy;
-  while (run.state.time < end * unit) {
-    try {
-      advance<D>(run.body, run.state, step * unit);
-    } catch (const NumericalError&) {
-      break;
-    }
-    time.push_back(run.state.time / unit);
-    energy.push_back(kinetic_energy<D>(run.body, run.state) / first);
-  }
-  row.amplitude = *std::ranges::max_element(energy);
-  row.seen = row.amplitude < 10.0 ? 0.0 : 0.5 * growth_rate(time, energy, 1e6, 1e12);
+  EnergyHistory history = step_until<D>(run, step * unit, end * unit);
+  for (double& time : history.time) time /= unit;
+  row.amplitude = std::ranges::max(history.energy);
+  row.seen =
+      row.amplitude < 10.0 ? 0.0 : 0.5 * growth_rate(history.time, history.energy, 1e6, 1e12);
   return row;
 }
 

@@ -1,10 +1,9 @@
-#include "perturbed.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
 
+#include "sample.hpp"
 #include "tlsph/analysis/history.hpp"
 #include "tlsph/analysis/spectrum.hpp"
 #include "tlsph/core/error.hpp"
@@ -43,14 +42,14 @@ double norm(const Discretisation<D>& disc, const VectorField<D>& x) {
 
 /// Steps from u and v about the uniform state, whose forces are balanced.
 template <int D>
-Stepper<D> balanced(const Specimen<D>& specimen, const VectorField<D>& u, const VectorField<D>& v,
+Stepper<D> balanced(const Sample<D>& sample, const VectorField<D>& u, const VectorField<D>& v,
                     double dt) {
-  return {specimen.disc,
+  return {sample.disc,
           u,
           v,
           {.step = dt,
            .balance_every = 0,
-           .evaluate = [&f = specimen.state.f](const Discretisation<D>& disc, State<D>& state) {
+           .evaluate = [&f = sample.state.f](const Discretisation<D>& disc, State<D>& state) {
              evaluate<D>(disc, state);
              state.f -= f;
            }}};
@@ -58,12 +57,12 @@ Stepper<D> balanced(const Specimen<D>& specimen, const VectorField<D>& u, const 
 
 /// Kinetic and elastic energy, the dead loads' potential included, of an evaluated state.
 template <int D>
-double energy_of(const Specimen<D>& specimen, const State<D>& state, double dt) {
-  const Discretisation<D>& disc = specimen.disc;
+double energy_of(const Sample<D>& sample, const State<D>& state, double dt) {
+  const Discretisation<D>& disc = sample.disc;
   const VectorField<D> next = state.v + dt * disc.inverse_mass.cwiseProduct(state.f);
   const double kinetic = 0.5 * disc.mass.dot(state.v.cwiseProduct(next).rowwise().sum());
   return kinetic + elastic_energy<D>(disc, state) +
-         specimen.state.f.cwiseProduct(state.u - specimen.state.u).sum();
+         sample.state.f.cwiseProduct(state.u - sample.state.u).sum();
 }
 
 long steps_to_see(double growth) {
@@ -112,9 +111,9 @@ void remove_rigid_motion(const Discretisation<D>& disc, VectorField<D>& v) {
 }  // namespace
 
 template <int D>
-PerturbedRun perturbed_run(const Specimen<D>& specimen, const StateSpectrum& spectrum, double dt,
+PerturbedRun perturbed_run(const Sample<D>& sample, const StateSpectrum& spectrum, double dt,
                            const std::string& label) {
-  const Discretisation<D>& disc = specimen.disc;
+  const Discretisation<D>& disc = sample.disc;
   PerturbedRun run;
   run.label = label;
   run.ratio = dt / spectrum.critical();
@@ -126,7 +125,7 @@ PerturbedRun perturbed_run(const Specimen<D>& specimen, const StateSpectrum& spe
   const long last = steps_to_see(growth);
   std::vector<double> amplitude;
   try {
-    Stepper<D> body = balanced<D>(specimen, specimen.state.u + push, specimen.state.v, dt);
+    Stepper<D> body = balanced<D>(sample, sample.state.u + push, sample.state.v, dt);
     for (run.steps = 0; run.steps < last; ++run.steps) {
       body.step();
       amplitude.push_back(norm<D>(disc, body.state().v) / unit);
@@ -142,10 +141,10 @@ PerturbedRun perturbed_run(const Specimen<D>& specimen, const StateSpectrum& spe
 }
 
 template <int D>
-double energy_drift(const Specimen<D>& specimen, double dt) {
-  const Discretisation<D>& disc = specimen.disc;
+double energy_drift(const Sample<D>& sample, double dt) {
+  const Discretisation<D>& disc = sample.disc;
   const VectorField<D> v = velocity * disc.wave_speed() * random_field<D>(disc);
-  Stepper<D> body = balanced<D>(specimen, specimen.state.u, v, dt);
+  Stepper<D> body = balanced<D>(sample, sample.state.u, v, dt);
   const double first = 0.5 * std::pow(norm<D>(disc, v), 2);
   const bool damped = disc.viscosity.nonZeros() > 0;
   double start = 0.0;
@@ -153,7 +152,7 @@ double energy_drift(const Specimen<D>& specimen, double dt) {
   for (long step = 0; step <= book_steps; ++step) {
     if (step % 10 == 0) {
       body.evaluate();
-      const double energy = energy_of<D>(specimen, body.state(), dt);
+      const double energy = energy_of<D>(sample, body.state(), dt);
       if (step == 0) start = energy;
       drift = std::max(drift, damped ? energy - start : std::abs(energy - start));
     }
@@ -163,11 +162,11 @@ double energy_drift(const Specimen<D>& specimen, double dt) {
 }
 
 template <int D>
-double unrest(const Specimen<D>& specimen, double dt) {
-  const Discretisation<D>& disc = specimen.disc;
+double drift_at_rest(const Sample<D>& sample, double dt) {
+  const Discretisation<D>& disc = sample.disc;
   double largest = 0.0;
   try {
-    Stepper<D> body(disc, specimen.state.u, specimen.state.v,
+    Stepper<D> body(disc, sample.state.u, sample.state.v,
                     {.step = dt, .sweep = false, .balance_every = 0});
     for (long step = 0; step < rest_steps; ++step) {
       body.step();
@@ -181,10 +180,10 @@ double unrest(const Specimen<D>& specimen, double dt) {
 
 /// The mode of least energy that is no rigid motion, as a velocity of unit norm.
 template <int D>
-VectorField<D> lowest_motion(const Specimen<D>& specimen) {
-  const Discretisation<D>& disc = specimen.disc;
+VectorField<D> lowest_motion(const Sample<D>& sample) {
+  const Discretisation<D>& disc = sample.disc;
   constexpr Index rigid = D * (D + 1) / 2;
-  LinearisedForces<D> forces(disc, specimen.state);
+  LinearisedForces<D> forces(disc, sample.state);
   const Modes modes = lowest_modes(forces.dynamical_matrix(), rigid + 1);
   // Without energy they come in any mixture: one of them is left when rigid motion is taken off.
   VectorField<D> best = VectorField<D>::Zero(disc.nodes(), D);
@@ -199,27 +198,27 @@ VectorField<D> lowest_motion(const Specimen<D>& specimen) {
 }
 
 template <int D>
-double free_excursion(const Specimen<D>& specimen, double dt, double omega) {
-  const Discretisation<D>& disc = specimen.disc;
+double free_excursion(const Sample<D>& sample, double dt, double omega) {
+  const Discretisation<D>& disc = sample.disc;
   const VectorField<D> v =
-      displacement * disc.wave_speed() * std::sqrt(disc.mass.sum()) * lowest_motion<D>(specimen);
-  Stepper<D> body = balanced<D>(specimen, specimen.state.u, v, dt);
+      displacement * disc.wave_speed() * std::sqrt(disc.mass.sum()) * lowest_motion<D>(sample);
+  Stepper<D> body = balanced<D>(sample, sample.state.u, v, dt);
   const double unit = norm<D>(disc, v) / omega;
   const auto last = static_cast<long>(std::ceil(4.0 * std::numbers::pi / (omega * dt)));
   double largest = 0.0;
   for (long step = 0; step < last; ++step) {
     body.step();
-    largest = std::max(largest, norm<D>(disc, body.state().u - specimen.state.u) / unit);
+    largest = std::max(largest, norm<D>(disc, body.state().u - sample.state.u) / unit);
   }
   return largest;
 }
 
-#define TLSPH_INSTANTIATE(D)                                                               \
-  template PerturbedRun perturbed_run<D>(const Specimen<D>&, const StateSpectrum&, double, \
-                                         const std::string&);                              \
-  template double energy_drift<D>(const Specimen<D>&, double);                             \
-  template double unrest<D>(const Specimen<D>&, double);                                   \
-  template double free_excursion<D>(const Specimen<D>&, double, double);
+#define TLSPH_INSTANTIATE(D)                                                             \
+  template PerturbedRun perturbed_run<D>(const Sample<D>&, const StateSpectrum&, double, \
+                                         const std::string&);                            \
+  template double energy_drift<D>(const Sample<D>&, double);                             \
+  template double drift_at_rest<D>(const Sample<D>&, double);                            \
+  template double free_excursion<D>(const Sample<D>&, double, double);
 TLSPH_INSTANTIATE(1)
 TLSPH_INSTANTIATE(2)
 #undef TLSPH_INSTANTIATE

@@ -1,8 +1,7 @@
-#include "spectrum.hpp"
-
 #include <algorithm>
 #include <cmath>
 
+#include "sample.hpp"
 #include "tlsph/analysis/spectrum.hpp"
 #include "tlsph/stepping/critical_step.hpp"
 #include "tlsph/stepping/linearised_forces.hpp"
@@ -36,17 +35,24 @@ Index StateSpectrum::below(double square) const {
       std::ranges::count_if(squares, [&](const auto& value) { return std::abs(value) < square; }));
 }
 
+double StateSpectrum::smallest(Index count) const {
+  std::vector<double> sizes;
+  for (const auto& square : squares) sizes.push_back(std::abs(square));
+  std::ranges::sort(sizes);
+  return sizes.at(static_cast<std::size_t>(count));
+}
+
 template <int D>
-StateSpectrum spectrum_of(const Specimen<D>& specimen) {
-  LinearisedForces<D> forces(specimen.disc, specimen.state);
+StateSpectrum spectrum_of(const Sample<D>& sample) {
+  LinearisedForces<D> forces(sample.disc, sample.state);
   const SparseMatrix K = forces.dynamical_matrix();
   StateSpectrum result;
   result.squares = eigenvalues(K);
   const double largest = result.squares.empty() ? 0.0 : std::abs(result.squares.front());
   result.limit = 2.0 / std::sqrt(largest);
-  if (specimen.disc.viscosity.nonZeros() > 0)
+  if (sample.disc.viscosity.nonZeros() > 0)
     result.limit = damped_limit(K, forces.damping_matrix(), result.limit);
-  const double nothing = (specimen.disc.adjoint ? round_off : defective) * largest;
+  const double nothing = (sample.disc.adjoint ? round_off : defective) * largest;
   for (auto& square : result.squares) {
     // Pairs of a double root leave the axis by the square root of round-off: no growth of a motion.
     if (std::abs(square.imag()) <= nothing) square.imag(0.0);
@@ -56,19 +62,12 @@ StateSpectrum spectrum_of(const Specimen<D>& specimen) {
   for (const auto& square : result.squares)
     if (std::abs(square) > nothing) true_ones.push_back(square);
   result.growth = growth_rate(true_ones);
-  if (const auto critical = critical_step_if_any<D>(specimen.disc, specimen.state))
+  if (const auto critical = critical_step_if_any<D>(sample.disc, sample.state))
     result.bound = critical->dt;
   return result;
 }
 
-double smallest_square(const StateSpectrum& spectrum, Index count) {
-  std::vector<double> sizes;
-  for (const auto& square : spectrum.squares) sizes.push_back(std::abs(square));
-  std::ranges::sort(sizes);
-  return sizes.at(static_cast<std::size_t>(count));
-}
-
-template StateSpectrum spectrum_of<1>(const Specimen<1>&);
-template StateSpectrum spectrum_of<2>(const Specimen<2>&);
+template StateSpectrum spectrum_of<1>(const Sample<1>&);
+template StateSpectrum spectrum_of<2>(const Sample<2>&);
 
 }  // namespace tlsph

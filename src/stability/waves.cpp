@@ -1,8 +1,8 @@
-#include "waves.hpp"
-
 #include <algorithm>
 #include <cmath>
 
+#include "studies.hpp"
+#include "tlsph/core/dimensions.hpp"
 #include "tlsph/geometry/region.hpp"
 #include "tlsph/model/builder.hpp"
 #include "tlsph/stability/lattice.hpp"
@@ -38,6 +38,49 @@ Discretisation<D> large_lattice(const Subject& subject, const StateKey& key) {
   return build<D>(scene_of(large, key, Support::sliding));
 }
 
+template <int D>
+WaveRow waves_of(const Subject& subject, const Method& method) {
+  const StateKey key{method, 0, 0.0, subject.poisson, 1.0};
+  const auto disc = large_lattice<D>(subject, key);
+  const State<D> state = make_state<D>(disc, VectorField<D>::Zero(disc.nodes(), D),
+                                       VectorField<D>::Zero(disc.nodes(), D));
+  const LatticeSymbol<D> symbol = lattice_symbol<D>(disc, state);
+  const Tangent<D> A = tangent<D>(disc.regions.front().law, Tensor<D>::Zero());
+  const double density = disc.regions.front().density;
+  std::array<double, D> exact;
+  exact[D - 1] = std::sqrt(A(0, 0) / density);
+  if constexpr (D == 2) exact[0] = std::sqrt(A(1, 1) / density);
+  const auto speeds = phase_speeds<D>(symbol, disc.spacing, exact, radial, angular);
+
+  WaveRow row;
+  row.method = method.name;
+  row.poisson = subject.poisson;
+  row.zero_energy = zero_energy_waves<D>(symbol, disc.particles.spacings, exact[D - 1]);
+  std::array<double, D> worst{}, least, most{};
+  least.fill(std::numeric_limits<double>::infinity());
+  row.slowest = std::numeric_limits<double>::infinity();
+  for (std::size_t n = 0; n < speeds.k.size(); ++n) {
+    std::vector<double> line(speeds.k[n].begin(), speeds.k[n].end());
+    const bool long_one = static_cast<int>(n % radial) + 1 == long_wave;
+    for (std::size_t i = 0; i < D; ++i) {
+      const double relative = speeds.relative[n][i];
+      line.push_back(relative);
+      row.slowest = std::min(row.slowest, relative);
+      if (!long_one) continue;
+      worst[i] = std::max(worst[i], std::abs(relative - 1.0));
+      least[i] = std::min(least[i], relative);
+      most[i] = std::max(most[i], relative);
+    }
+    row.map.push_back(std::move(line));
+  }
+  row.longitudinal = worst[D - 1];
+  row.transverse = D == 2 ? worst[0] : not_known;
+  row.anisotropy = 0.0;
+  for (std::size_t i = 0; i < D; ++i) row.anisotropy = std::max(row.anisotropy, most[i] - least[i]);
+  if (D == 1) row.anisotropy = not_known;
+  return row;
+}
+
 }  // namespace
 
 template <int D>
@@ -67,54 +110,11 @@ LatticeSymbol<D> lattice_symbol(const Discretisation<D>& disc, const State<D>& s
   return symbol;
 }
 
-template <int D>
-WaveRow wave_row(const Subject& subject, const Method& method, double poisson) {
-  const StateKey key{method, 0, 0.0, poisson, 1.0};
-  const auto disc = large_lattice<D>(subject, key);
-  const State<D> state = make_state<D>(disc, VectorField<D>::Zero(disc.nodes(), D),
-                                       VectorField<D>::Zero(disc.nodes(), D));
-  const LatticeSymbol<D> symbol = lattice_symbol<D>(disc, state);
-  const Tangent<D> A = tangent<D>(disc.regions.front().law, Tensor<D>::Zero());
-  const double density = disc.regions.front().density;
-  std::array<double, D> exact;
-  exact[D - 1] = std::sqrt(A(0, 0) / density);
-  if constexpr (D == 2) exact[0] = std::sqrt(A(1, 1) / density);
-  const auto speeds = phase_speeds<D>(symbol, disc.spacing, exact, radial, angular);
-
-  WaveRow row;
-  row.method = method.name;
-  row.poisson = poisson;
-  row.zero_energy = zero_energy_waves<D>(symbol, disc.particles.spacings, exact[D - 1]);
-  std::array<double, D> worst{}, least, most{};
-  least.fill(std::numeric_limits<double>::infinity());
-  row.slowest = std::numeric_limits<double>::infinity();
-  for (std::size_t n = 0; n < speeds.k.size(); ++n) {
-    std::vector<double> line(speeds.k[n].begin(), speeds.k[n].end());
-    const bool long_one = static_cast<int>(n % radial) + 1 == long_wave;
-    for (std::size_t i = 0; i < D; ++i) {
-      const double relative = speeds.relative[n][i];
-      line.push_back(relative);
-      row.slowest = std::min(row.slowest, relative);
-      if (!long_one) continue;
-      worst[i] = std::max(worst[i], std::abs(relative - 1.0));
-      least[i] = std::min(least[i], relative);
-      most[i] = std::max(most[i], relative);
-    }
-    row.map.push_back(std::move(line));
-  }
-  row.longitudinal = worst[D - 1];
-  row.transverse = D == 2 ? worst[0] : not_known;
-  row.anisotropy = 0.0;
-  for (std::size_t i = 0; i < D; ++i) row.anisotropy = std::max(row.anisotropy, most[i] - least[i]);
-  if (D == 1) row.anisotropy = not_known;
-  return row;
+WaveRow wave_row(const Subject& subject, const Method& method) {
+  return in_dimension(subject.dimension, [&]<int D>() { return waves_of<D>(subject, method); });
 }
 
-#define TLSPH_INSTANTIATE(D)                                                              \
-  template LatticeSymbol<D> lattice_symbol<D>(const Discretisation<D>&, const State<D>&); \
-  template WaveRow wave_row<D>(const Subject&, const Method&, double);
-TLSPH_INSTANTIATE(1)
-TLSPH_INSTANTIATE(2)
-#undef TLSPH_INSTANTIATE
+template LatticeSymbol<1> lattice_symbol<1>(const Discretisation<1>&, const State<1>&);
+template LatticeSymbol<2> lattice_symbol<2>(const Discretisation<2>&, const State<2>&);
 
 }  // namespace tlsph

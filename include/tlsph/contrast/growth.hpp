@@ -8,11 +8,13 @@
 ///
 /// the first term being how the moving kernel turns the stress, the second the stiffness as the
 /// sums see it. At the shortest wave g vanishes and growth at √(2σ₀ C/ρ) is left: the tensile
-/// instability.
+/// instability. A run of a finite lattice shows the same rate.
 
-#include "tlsph/core/types.hpp"
-#include "tlsph/kernels/families.hpp"
-#include "tlsph/materials/lame.hpp"
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "tlsph/contrast/updated_lagrangian.hpp"
 
 namespace tlsph {
 
@@ -43,5 +45,39 @@ struct GrowingWave {
 };
 template <int D>
 [[nodiscard]] GrowingWave<D> fastest_growth(const StressedLattice<D>& lattice);
+
+/// A lattice of finite size, to be stepped.
+template <int D>
+struct CurrentRun {
+  CurrentBody<D> body;
+  CurrentState<D> state;
+};
+
+/// `counts` particles a direction, the last coordinate fastest, at rest; `held` layers at each end
+/// of each direction do not move.
+template <int D>
+[[nodiscard]] CurrentRun<D> current_lattice(const StressedLattice<D>& lattice,
+                                            const std::array<int, D>& counts, int held);
+
+/// Moves the particles by `displacement` [m] without motion: stress and density follow as in a
+/// step.
+template <int D>
+void displace(CurrentRun<D>& run, const VectorField<D>& displacement);
+
+/// The kinetic energy over the first, after each step.
+struct EnergyHistory {
+  std::vector<double> time, energy;
+};
+
+/// Steps of `dt` until `end` [s], or until the body is lost; `observe` sees each state.
+template <int D>
+EnergyHistory step_until(CurrentRun<D>& run, double dt, double end,
+                         const std::function<void(const CurrentState<D>&)>& observe = {});
+
+/// Largest growth rate [1/s] of small motions of that very body, its held layers included: √ of the
+/// rightmost eigenvalue of the derivative of its accelerations, which is symmetric for equal
+/// masses.
+template <int D>
+[[nodiscard]] double linear_growth_rate(const CurrentRun<D>& run);
 
 }  // namespace tlsph

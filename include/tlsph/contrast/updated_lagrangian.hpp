@@ -4,15 +4,13 @@
 /// most codes have. Neighbours and kernel sums are built anew every step, so the kernel moves with
 /// the particles, and a body in tension comes apart into clumps:
 ///
-///     dv_i/dt = Σ_j m_j (σ_i/ρ_i² + σ_j/ρ_j²) ∇_i W_ij         L_i = Σ_j (m_j/ρ_j) (v_j − v_i) ⊗
-///     ∇_i W_ij dρ/dt   = −ρ tr L          dσ/dt = λ tr(d) I + 2μ d + wσ − σw,    L = d + w
+///     dv_i/dt = Σ_j m_j (σ_i/ρ_i² + σ_j/ρ_j²) ∇_i W_ij
+///     L_i     = Σ_j (m_j/ρ_j) (v_j − v_i) ⊗ ∇_i W_ij = d + w
+///     dρ/dt   = −ρ tr L          dσ/dt = λ tr(d) I + 2μ d + wσ − σw
 ///
 /// without correction at boundaries and without viscosity, as in the stability studies of Swegle et
-/// al. (J. Comput. Phys. 116, 1995); contrast/growth.hpp says how fast it must fail. The room
-/// stands at the end of the list on purpose: nothing but the cases that show the failure, and the
-/// atlas of failures, may include it. Operators of the reference configuration are const once
-/// built, and a formulation, an integrator or an observer that knew of others would lose what the
-/// total-Lagrangian form gives.
+/// al. (J. Comput. Phys. 116, 1995); contrast/growth.hpp says how fast it must fail. Only the cases
+/// and the atlas that show the failure may include this room.
 
 #include "tlsph/core/types.hpp"
 #include "tlsph/kernels/families.hpp"

@@ -5,20 +5,17 @@
 /// particles at a Poisson ratio and a stretch; each is judged by the whole spectrum of its
 /// operators, and the judgement is confirmed by runs.
 ///
-/// Page of the room:
-///   atlas.hpp              the study, its rows and files
-///   method, state          what is varied, and the body of one state
-///   spectrum, perturbed    what the operators say, and what runs say
-///   waves                  dispersion on the lattice
-///   contrast               the updated-Lagrangian counter-example
-///   crush                  fast compression, and whether the step follows it
-///   failure                failures in words, each with its confirming run and its cure
+/// Page of the room, src/stability:
+///   method, sample         what is varied, and the body of one state, its spectrum and its runs
+///   studies                the tables of the atlas: states, waves, contrast, compression
+///   failures               failures as text, each with a run that shows it and its cure
 
 #include <atomic>
 #include <filesystem>
 #include <functional>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tlsph/analysis/not_known.hpp"
@@ -32,7 +29,7 @@ enum class Verdict {
   material,  ///< the acoustic tensor of the law is not positive: no method carries waves there
   negative,  ///< ω² < 0 though the material carries waves: the operators lose the stability it has
   growing,   ///< D is no adjoint of G, and motions grow at any step
-  soft,      ///< modes without energy beside the rigid motions
+  zero_energy,  ///< modes without energy beside the rigid motions
   stable,
 };
 
@@ -61,16 +58,19 @@ struct AtlasRow {
   std::string refusal;
   double acoustic = not_known;   ///< smallest eigenvalue of the acoustic tensor over λ + 2μ
   double imbalance = not_known;  ///< largest force of the uniform state over |P| Δ^(d−1)
-  double unrest = not_known;     ///< largest speed over c_p of the uniform state left to itself
+  double drift = not_known;      ///< largest speed over c_p of the uniform state left to itself
   double bound = not_known;      ///< the critical step a run computes, c_p Δt/Δ
   double limit = not_known;      ///< the same from the dense spectrum
-  Index soft = -1;               ///< modes below half the first true ω², rigid ones not counted
+  Index zero_energy_modes = -1;  ///< modes below half the first true ω², rigid ones not counted
   double excursion =
       not_known;              ///< of a free run in its lowest mode, over that of the first true one
   Index negative = -1;        ///< ω² < 0 with the boundary held
   double growth = not_known;  ///< largest Re(s) of a free motion [c_p/Δ]
   Verdict verdict = Verdict::stable;
   std::vector<PerturbedRun> runs;
+
+  /// The run of that label, nullptr if there is none.
+  [[nodiscard]] const PerturbedRun* run(std::string_view label) const;
 };
 
 /// Waves on the undeformed lattice.
@@ -96,8 +96,8 @@ struct ContrastRow {
 };
 
 /// Fast compression to a stretch of 0.2, with one step for all or a step that follows the body.
-struct CrushRow {
-  std::string method, motion, follow;
+struct CompressionRow {
+  std::string method, motion, step;
   Index particles = 0;
   double speed = not_known;  ///< of the moving edge, over c_p
   double safety = not_known;
@@ -111,7 +111,7 @@ struct CrushRow {
 /// One failure: where, why, what cures it; with the rows that show both.
 struct Failure {
   std::string where, what, why, cure;
-  std::string evidence, cured;  ///< names of rows and what their runs showed
+  std::string run, cured_run;  ///< names of rows and what their runs showed
   Index states = 0;
 };
 
@@ -129,7 +129,7 @@ struct Atlas {
   std::vector<AtlasRow> rows;
   std::vector<WaveRow> waves;
   std::vector<ContrastRow> contrast;
-  std::vector<CrushRow> crush;
+  std::vector<CompressionRow> compression;
   std::vector<Failure> failures;
   bool interrupted = false;
   double seconds = 0.0;

@@ -4,10 +4,7 @@
 #include <numbers>
 
 #include "tlsph/core/error.hpp"
-#include "tlsph/exact/bar_wave.hpp"
-#include "tlsph/exact/named_fields.hpp"
-#include "tlsph/exact/swinging_plate.hpp"
-#include "tlsph/exact/uniform_stretch.hpp"
+#include "tlsph/exact/solutions.hpp"
 #include "tlsph/materials/waves.hpp"
 
 namespace tlsph {
@@ -250,6 +247,14 @@ TEST(UniformStretchTest, MayBeHeldAtEitherEnd) {
   EXPECT_DOUBLE_EQ(exact.displacement(Vector<1>(1.5), 0.0)[0], -0.1);
   EXPECT_DOUBLE_EQ(exact.stress(Vector<1>(1.7), 0.0)(0, 0), 7.0 * 0.2);
   EXPECT_THROW((void)uniform_stretch<1>({0.0, 0.0, ConstantCurve{1}}, law), InputError);
+}
+
+/// dφ/dξ.
+double cantilever_mode_slope(double xi) {
+  constexpr double kappa = cantilever_wave_number;
+  const double sigma = (std::cosh(kappa) + std::cos(kappa)) / (std::sinh(kappa) + std::sin(kappa));
+  const double s = kappa * xi;
+  return 0.5 * kappa * (std::sinh(s) + std::sin(s) - sigma * (std::cosh(s) - std::cos(s)));
 }
 
 TEST(CantileverMode, IsClampedAndFree) {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "reference_matrices.hpp"
-#include "tlsph/formulations/ghosts.hpp"
 #include "tlsph/formulations/extension.hpp"
+#include "tlsph/formulations/ghosts.hpp"
 
 namespace tlsph {
 namespace {

@@ -55,7 +55,7 @@ TEST_P(Verdicts, AreConfirmedByRuns) {
   EXPECT_EQ(row.verdict, verdict);
   const PerturbedRun& below = run_of(row, "0.95");
   const PerturbedRun& above = run_of(row, "1.02");
-  EXPECT_EQ(below.bounded(), verdict == Verdict::stable || verdict == Verdict::soft);
+  EXPECT_EQ(below.bounded(), verdict == Verdict::stable || verdict == Verdict::zero_energy);
   EXPECT_FALSE(above.bounded());
   if (!below.bounded()) {
     // Other modes grow nearly as fast, and a run starts with all of them: it is the slower for it.
@@ -63,7 +63,7 @@ TEST_P(Verdicts, AreConfirmedByRuns) {
     EXPECT_LT(below.seen, 1.01 * below.expected);
   }
   EXPECT_EQ(row.acoustic <= 0.0, verdict == Verdict::material);
-  EXPECT_EQ(row.excursion > 1.4, verdict == Verdict::soft);
+  EXPECT_EQ(row.excursion > 1.4, verdict == Verdict::zero_energy);
   EXPECT_EQ(atlas.failures.empty(), false);  // the step beyond the limit is one at least
   if (verdict == Verdict::material) return;  // nothing bounds the step but what grows
   EXPECT_GE(row.bound, 0.99 * row.limit);
@@ -74,7 +74,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Expected{"sheet.toml", "stress-point cells + S, jitter 0.4, nu 0.4999, stretch 0.2",
                  Verdict::stable},
-        Expected{"sheet.toml", "stress-point cells, lattice, nu 0.3, stretch 1", Verdict::soft},
+        Expected{"sheet.toml", "stress-point cells, lattice, nu 0.3, stretch 1",
+                 Verdict::zero_energy},
         Expected{"sheet.toml", "variational 2.5 + S, lattice, nu 0.3, stretch 1", Verdict::stable},
         Expected{"sheet.toml", "variational 2.5 + S, jitter 0.4, nu 0.3, stretch 0.2",
                  Verdict::negative},
@@ -82,7 +83,7 @@ INSTANTIATE_TEST_SUITE_P(
                  Verdict::material},
         Expected{"bar.toml", "stress-point, lattice, nu 0.48, stretch 4", Verdict::stable},
         Expected{"bar.toml", "stress-point, lattice, nu 0.49, stretch 4", Verdict::material},
-        Expected{"bar.toml", "variational 5.5, lattice, nu 0.3, stretch 1", Verdict::soft},
+        Expected{"bar.toml", "variational 5.5, lattice, nu 0.3, stretch 1", Verdict::zero_energy},
         Expected{"bar.toml", "mirror 2.5, lattice, nu 0.3, stretch 2", Verdict::stable}));
 
 TEST(Atlas, SetsBesideAFailureTheRowThatCuresIt) {
@@ -92,8 +93,8 @@ TEST(Atlas, SetsBesideAFailureTheRowThatCuresIt) {
   ASSERT_FALSE(atlas.failures.empty());
   const Failure& soft = atlas.failures.front();
   EXPECT_THAT(soft.what, HasSubstr("without energy"));
-  EXPECT_THAT(soft.evidence, HasSubstr("3 modes"));
-  EXPECT_THAT(soft.cured, HasSubstr("stress-point cells + S"));
+  EXPECT_THAT(soft.run, HasSubstr("3 modes"));
+  EXPECT_THAT(soft.cured_run, HasSubstr("stress-point cells + S"));
   EXPECT_EQ(soft.states, 1);
 }
 
@@ -106,8 +107,8 @@ TEST(Atlas, ALawLostAtEveryPoissonRatioIsCuredByTheNearestStretch) {
 
   ASSERT_FALSE(atlas.failures.empty());
   EXPECT_THAT(atlas.failures.front().why, HasSubstr("hyperbolicity"));
-  EXPECT_THAT(atlas.failures.front().evidence, HasSubstr("stretch 0.5:"));
-  EXPECT_THAT(atlas.failures.front().cured, HasSubstr("stretch 1:"));
+  EXPECT_THAT(atlas.failures.front().run, HasSubstr("stretch 0.5:"));
+  EXPECT_THAT(atlas.failures.front().cured_run, HasSubstr("stretch 1:"));
 }
 
 TEST(Atlas, GrowthAtAnyStepIsThatOfPairsThatAreNoAdjoint) {
@@ -150,9 +151,9 @@ TEST(Atlas, WavesOfABarAreTheClosedForms) {
 TEST(Atlas, FollowedStepsReachTheEndOfACompression) {
   const Atlas atlas = atlas_of("sheet.toml", "^crush of (stress-point cells|variational)");
 
-  ASSERT_GT(atlas.crush.size(), 10U);
-  for (const CrushRow& row : atlas.crush)
-    if (row.follow == "followed") {
+  ASSERT_GT(atlas.compression.size(), 10U);
+  for (const CompressionRow& row : atlas.compression)
+    if (row.step == "followed") {
       EXPECT_EQ(row.failure, "") << row.method << ' ' << row.motion << ' ' << row.speed;
       EXPECT_LE(row.closest, 0.98) << row.method << ' ' << row.motion << ' ' << row.speed;
     }
@@ -169,7 +170,7 @@ TEST(Atlas, TellsAMethodThatIsNotForTheBodyFromOneThatFails) {
   EXPECT_EQ(atlas.rows.front().verdict, Verdict::refused);
   ASSERT_EQ(atlas.failures.size(), 1U);
   EXPECT_THAT(atlas.failures.front().what, HasSubstr("not made for this body"));
-  EXPECT_THAT(atlas.failures.front().evidence, HasSubstr("must be an interval or a box"));
+  EXPECT_THAT(atlas.failures.front().run, HasSubstr("must be an interval or a box"));
 }
 
 TEST(Atlas, RefusesWhatItCannotDraw) {

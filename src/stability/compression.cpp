@@ -1,11 +1,9 @@
-#include "crush.hpp"
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <string_view>
-#include <utility>
 
+#include "studies.hpp"
 #include "tlsph/core/dimensions.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/materials/kinematics.hpp"
@@ -16,12 +14,13 @@
 namespace tlsph {
 namespace {
 
-constexpr double stretch = 0.2;
+constexpr double last_stretch = 0.2;
+constexpr double safety = 0.95;
 constexpr long compare_every = 3;  ///< steps between comparisons with the true limit
 
 /// The right edge moves in at `speed` [m/s], from one instant to the next.
-Scene crushing(const Subject& subject, const Method& method, double speed) {
-  const double way = (1.0 - stretch) * (subject.upper[0] - subject.lower[0]);
+Scene compressed(const Subject& subject, const Method& method, double speed) {
+  const double way = (1.0 - last_stretch) * (subject.upper[0] - subject.lower[0]);
   Scene scene = subject.scene;
   method.apply_to(scene);
   scene.boundaries = sliding_edges(subject.dimension, RampCurve{-way, way / speed});
@@ -38,27 +37,24 @@ double smallest_volume(const State<D>& state) {
 }
 
 template <int D>
-void crush(const Subject& subject, const Method& method, Motion motion, double speed, Follow follow,
-           bool compare, CrushRow& row) {
-  const double c = [&] {
-    const auto still = build<D>(crushing(subject, method, 1.0));
-    return still.wave_speed();
-  }();
-  const Scene scene = crushing(subject, method, speed * c);
+void compress(const Subject& subject, const Compression& study, CompressionRow& row) {
+  const double c = build<D>(compressed(subject, study.method, 1.0)).wave_speed();
+  const Scene scene = compressed(subject, study.method, study.speed * c);
   const auto disc = build<D>(scene);
   VectorField<D> v = VectorField<D>::Zero(disc.nodes(), D);
-  if (motion == Motion::pressed)
-    v.col(0) = -speed * c / (subject.upper[0] - subject.lower[0]) *
+  if (!study.impact)
+    v.col(0) = -study.speed * c / (subject.upper[0] - subject.lower[0]) *
                (disc.particles.X.col(0).array() - subject.lower[0]);
   Stepper<D> stepper(disc, VectorField<D>::Zero(disc.nodes(), D), v,
-                     {.safety = row.safety,
-                      .adaptive = follow == Follow::follower,
+                     {.safety = safety,
+                      .adaptive = study.adaptive,
                       .rehearse = false,
                       .threads = 1,
                       .balance_every = 0});
   const State<D>& state = stepper.state();
+  const bool compare = study.finer == 1;
   double stepping = 0.0;
-  row.closest = 0.0;
+  row.closest = compare ? 0.0 : not_known;
   row.smallest = 1.0;
   try {
     while (state.time < scene.time.end) {
@@ -81,7 +77,6 @@ void crush(const Subject& subject, const Method& method, Motion motion, double s
   }
   row.particles = disc.nodes();
   row.smallest = std::min(row.smallest, smallest_volume<D>(state));
-  if (!compare) row.closest = not_known;
   row.steps = state.step;
   row.estimates = 1;
   if (const AdaptiveStep<D>* adaptive = stepper.adaptive()) {
@@ -94,28 +89,35 @@ void crush(const Subject& subject, const Method& method, Motion motion, double s
 
 }  // namespace
 
-std::vector<Method> crushed_methods(int dimension) {
-  std::vector<Method> chosen;
-  constexpr std::array<std::string_view, 6> names = {"stress-point",      "stress-point cells + S",
-                                                     "variational 2.5",   "variational 2.5 + S",
-                                                     "consistent [1, 1]", "mirror 2.5"};
-  for (Method& method : atlas_methods(dimension))
-    if (std::ranges::count(names, method.name) > 0) chosen.push_back(std::move(method));
-  return chosen;
+std::string Compression::name() const {
+  return finer > 1 ? "crush of a fine body, " + method.name
+                   : fmt::format("crush of {} at {} c", method.name, speed);
 }
 
-CrushRow crush_row(const Subject& subject, const Method& method, Motion motion, double speed,
-                   double safety, Follow follow, int finer) {
+std::vector<Compression> compressions(int dimension) {
+  constexpr std::array names = {"stress-point",        "stress-point cells + S", "variational 2.5",
+                                "variational 2.5 + S", "consistent [1, 1]",      "mirror 2.5"};
+  std::vector<Compression> list;
+  for (const Method& method : atlas_methods(dimension)) {
+    if (std::ranges::find(names, method.name) == names.end()) continue;
+    for (const auto& [impact, speed] :
+         {std::pair{false, 0.02}, {false, 0.4}, {true, 0.02}, {true, 0.1}})
+      for (const bool adaptive : {false, true}) list.push_back({method, impact, speed, adaptive});
+  }
+  list.push_back({list.front().method, false, 0.02, true, dimension == 1 ? 16 : 4});
+  return list;
+}
+
+CompressionRow compression_row(const Subject& subject, const Compression& study) {
   Subject body = subject;
-  body.scene.body.spacing = subject.spacing / finer;
-  CrushRow row;
-  row.method = method.name;
-  row.follow = follow == Follow::never ? "the first step" : "followed";
-  row.motion = motion == Motion::pressed ? "pressed" : "struck";
-  row.speed = speed;
+  body.scene.body.spacing = subject.spacing / study.finer;
+  CompressionRow row;
+  row.method = study.method.name;
+  row.step = study.adaptive ? "followed" : "the first step";
+  row.motion = study.impact ? "struck" : "pressed";
+  row.speed = study.speed;
   row.safety = safety;
-  in_dimension(subject.dimension,
-               [&]<int D>() { crush<D>(body, method, motion, speed, follow, finer == 1, row); });
+  in_dimension(subject.dimension, [&]<int D>() { compress<D>(body, study, row); });
   return row;
 }
 

@@ -1,11 +1,9 @@
-#include "judge.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "perturbed.hpp"
+#include "studies.hpp"
 #include "tlsph/core/dimensions.hpp"
 #include "tlsph/core/error.hpp"
 #include "tlsph/materials/waves.hpp"
@@ -14,41 +12,35 @@
 namespace tlsph {
 namespace {
 
-constexpr double soft_share = 0.5;  ///< of the first true ω²: a mode below is none of the body
+/// Modes below this share of the first true ω² are no vibrations of the body.
+constexpr double share_of_first = 0.5;
 /// Growth in one critical step below which 20 000 of them do not show it; told in numbers only.
 constexpr double slow_growth = 7.5e-4;
-/// A soft mode that a viscosity keeps below this excursion is no failure.
+/// A mode without energy that a viscosity keeps below this excursion is no failure.
 constexpr double damped_excursion = 1.2;
 
 template <int D>
 constexpr Index rigid_motions = D*(D + 1) / 2;
 
 template <int D>
-double largest_imbalance(const Specimen<D>& specimen) {
-  const Tensor<D> P = pk1<D>(specimen.disc.regions.front().law, specimen.H0);
-  const double scale = P.norm() * std::pow(specimen.disc.spacing, D - 1);
+double largest_imbalance(const Sample<D>& sample) {
+  const Tensor<D> P = pk1<D>(sample.disc.regions.front().law, sample.H0);
+  const double scale = P.norm() * std::pow(sample.disc.spacing, D - 1);
   double largest = 0.0;
-  for (Index dof = 0; dof < specimen.state.f.size(); ++dof)
-    if (specimen.disc.inverse_mass.data()[dof] != 0.0)
-      largest = std::max(largest, std::abs(specimen.state.f.data()[dof]));
+  for (Index dof = 0; dof < sample.state.f.size(); ++dof)
+    if (sample.disc.inverse_mass.data()[dof] != 0.0)
+      largest = std::max(largest, std::abs(sample.state.f.data()[dof]));
   return scale > 0.0 ? largest / scale : 0.0;
 }
 
-/// Modes without energy of the undeformed body: free where a method can be, else with sliding
-/// edges.
+/// Modes without energy of an undeformed body: free where it can be, else with sliding edges.
 template <int D>
-void count_soft(const Subject& subject, const StateKey& key, FirstVibration& first,
-                const Specimen<D>& sliding, const StateSpectrum& held, AtlasRow& row) {
-  const bool free = sliding.disc.adjoint;
+void count_zero_energy_modes(const StateKey& key, FirstVibration& first, const Sample<D>& sample,
+                             const StateSpectrum& spectrum, bool free, AtlasRow& row) {
   const double omega = first.of(key, free ? Support::free : Support::sliding);
-  if (!free) {
-    row.soft = held.below(soft_share * omega * omega);
-    return;
-  }
-  const auto specimen = build_specimen<D>(subject, key, Support::free);
-  const StateSpectrum spectrum = spectrum_of<D>(specimen);
-  row.soft = std::max<Index>(0, spectrum.below(soft_share * omega * omega) - rigid_motions<D>);
-  row.excursion = free_excursion<D>(specimen, 0.9 * spectrum.limit, omega);
+  const Index below = spectrum.below(share_of_first * omega * omega);
+  row.zero_energy_modes = free ? std::max<Index>(0, below - rigid_motions<D>) : below;
+  if (free) row.excursion = free_excursion<D>(sample, 0.9 * spectrum.limit, omega);
 }
 
 Verdict verdict_of(const AtlasRow& row) {
@@ -56,47 +48,48 @@ Verdict verdict_of(const AtlasRow& row) {
   if (row.acoustic <= 0.0) return Verdict::material;
   if (row.negative > 0) return Verdict::negative;
   if (row.growth * row.limit > slow_growth) return Verdict::growing;
-  return row.soft > 0 && !(row.excursion < damped_excursion) ? Verdict::soft : Verdict::stable;
+  return row.zero_energy_modes > 0 && !(row.excursion < damped_excursion) ? Verdict::zero_energy
+                                                                          : Verdict::stable;
 }
 
 template <int D>
-void look_at(const Subject& subject, const StateKey& key, FirstVibration& first, AtlasRow& row) {
-  const Specimen<D> specimen =
-      build_specimen<D>(subject, key, key.strip > 0 ? Support::free : Support::sliding);
-  const Discretisation<D>& disc = specimen.disc;
+void examine(const Subject& subject, const StateKey& key, FirstVibration& first, AtlasRow& row) {
+  const Sample<D> sample =
+      build_sample<D>(subject, key, key.strip > 0 ? Support::free : Support::sliding);
+  const Discretisation<D>& disc = sample.disc;
   const double unit = disc.spacing / disc.wave_speed();  // Δ/c_p [s]
-  const Tangent<D> A = tangent<D>(disc.regions.front().law, specimen.H0);
+  const Tangent<D> A = tangent<D>(disc.regions.front().law, sample.H0);
   const double modulus = tangent<D>(disc.regions.front().law, Tensor<D>::Zero())(0, 0);
   row.particles = disc.nodes();
   row.acoustic = smallest_acoustic_eigenvalue<D>(A) / modulus;
-  row.imbalance = largest_imbalance<D>(specimen);
-  const StateSpectrum spectrum = spectrum_of<D>(specimen);
+  row.imbalance = largest_imbalance<D>(sample);
+  const StateSpectrum spectrum = spectrum_of<D>(sample);
   row.bound = spectrum.bound / unit;
   row.limit = spectrum.limit / unit;
   row.negative = disc.adjoint ? spectrum.negative : 0;
   row.growth = spectrum.growth * unit;
   if (key.strip > 0) {
-    // A thin body is looked at as it is, free; what it has below its first bending is no mode of
-    // it.
-    const double omega = first.of(key, Support::free);
-    row.soft = std::max<Index>(0, spectrum.below(soft_share * omega * omega) - rigid_motions<D>);
-    row.excursion = free_excursion<D>(specimen, 0.9 * spectrum.limit, omega);
+    // A thin body is free anyway; modes below its first bending are no vibrations of it.
+    count_zero_energy_modes<D>(key, first, sample, spectrum, true, row);
+  } else if (key.stretch == 1.0 && disc.adjoint) {
+    const auto free = build_sample<D>(subject, key, Support::free);
+    count_zero_energy_modes<D>(key, first, free, spectrum_of<D>(free), true, row);
   } else if (key.stretch == 1.0) {
-    count_soft<D>(subject, key, first, specimen, spectrum, row);
+    count_zero_energy_modes<D>(key, first, sample, spectrum, false, row);
   }
   row.verdict = verdict_of(row);
-  if (key.stretch != 1.0) row.unrest = unrest<D>(specimen, 0.9 * spectrum.critical());
+  if (key.stretch != 1.0) row.drift = drift_at_rest<D>(sample, 0.9 * spectrum.critical());
   for (const double ratio : {0.95, 1.02})
-    row.runs.push_back(perturbed_run<D>(specimen, spectrum, ratio * spectrum.critical(),
-                                        fmt::format("{}", ratio)));
+    row.runs.push_back(
+        perturbed_run<D>(sample, spectrum, ratio * spectrum.critical(), fmt::format("{}", ratio)));
   if (key.stretch == 1.0 && !std::isnan(row.support) && key.strip == 0) {
     // The rule of the thesis, (4.47): h over the speed of a thin bar.
     const double rule = row.support * disc.spacing / std::sqrt(subject.young / subject.density);
-    row.runs.push_back(perturbed_run<D>(specimen, spectrum, rule, "h/c"));
+    row.runs.push_back(perturbed_run<D>(sample, spectrum, rule, "h/c"));
   }
-  if ((row.verdict == Verdict::stable || row.verdict == Verdict::soft) && disc.adjoint) {
+  if ((row.verdict == Verdict::stable || row.verdict == Verdict::zero_energy) && disc.adjoint) {
     try {
-      row.runs.front().energy_drift = energy_drift<D>(specimen, 0.95 * spectrum.critical());
+      row.runs.front().energy_drift = energy_drift<D>(sample, 0.95 * spectrum.critical());
     } catch (const NumericalError&) {
       row.runs.front().energy_drift = std::numeric_limits<double>::infinity();
     }
@@ -117,15 +110,15 @@ double FirstVibration::of(const StateKey& key, Support support) {
   // A strip of particles in the middle of cells is as thick as one of a cell more on the boundary.
   if (key.strip > 0 && key.method.cell_centred) ++reference.strip;
   const auto find = [&]<int D>() {
-    const auto spectrum = spectrum_of<D>(build_specimen<D>(subject_, reference, support));
+    const auto spectrum = spectrum_of<D>(build_sample<D>(subject_, reference, support));
     const Index rigid = support == Support::free ? rigid_motions<D> : 0;
-    return std::sqrt(smallest_square(spectrum, rigid));
+    return std::sqrt(spectrum.smallest(rigid));
   };
   const double omega = in_dimension(subject_.dimension, find);
   return known_.emplace(name, omega).first->second;
 }
 
-AtlasRow judge(const Subject& subject, const StateKey& key, FirstVibration& first) {
+AtlasRow state_row(const Subject& subject, const StateKey& key, FirstVibration& first) {
   AtlasRow row;
   row.name = key.name();
   row.method = key.method.name;
@@ -140,14 +133,13 @@ AtlasRow judge(const Subject& subject, const StateKey& key, FirstVibration& firs
                      ? "cell"
                      : scene.kernel.family.get();
     row.support = scene.kernel.support.value_or(not_known);
-    in_dimension(subject.dimension, [&]<int D>() { look_at<D>(subject, key, first, row); });
+    in_dimension(subject.dimension, [&]<int D>() { examine<D>(subject, key, first, row); });
   } catch (const InputError& error) {
     row.refusal = error.what();
-    row.verdict = Verdict::refused;
   } catch (const NumericalError& error) {
     row.refusal = error.what();
-    row.verdict = Verdict::refused;
   }
+  if (!row.refusal.empty()) row.verdict = Verdict::refused;
   return row;
 }
 

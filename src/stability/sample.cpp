@@ -1,4 +1,4 @@
-#include "specimen.hpp"
+#include "sample.hpp"
 
 #include <fmt/format.h>
 
@@ -122,7 +122,7 @@ Subject read_subject(const std::filesystem::path& file, const std::vector<std::s
   subject.poisson = *material.constant("poisson");
   subject.young = material.moduli().young;
   subject.density = material.density;
-  const auto look = [&]<int D>() {
+  const auto measure = [&]<int D>() {
     const Box<D> box = extent<D>(asked);
     subject.lower = {box.lower.begin(), box.lower.end()};
     subject.upper = {box.upper.begin(), box.upper.end()};
@@ -131,7 +131,7 @@ Subject read_subject(const std::filesystem::path& file, const std::vector<std::s
     subject.spacing = particles.spacing;
     subject.box = particles.frame.has_value();
   };
-  in_dimension(asked.dimension, look);
+  in_dimension(asked.dimension, measure);
   return subject;
 }
 
@@ -161,24 +161,24 @@ Scene scene_of(const Subject& subject, const StateKey& key, Support support) {
 }
 
 template <int D>
-Specimen<D> build_specimen(const Subject& subject, const StateKey& key, Support support) {
+Sample<D> build_sample(const Subject& subject, const StateKey& key, Support support) {
   const Scene scene = scene_of(subject, key, support);
-  Specimen<D> specimen;
-  specimen.disc = build<D>(scene);
-  specimen.H0(0, 0) = key.stretch - 1.0;
+  Sample<D> sample;
+  sample.disc = build<D>(scene);
+  sample.H0(0, 0) = key.stretch - 1.0;
   const Vector<D> origin = extent<D>(scene).lower;
-  const Index N = specimen.disc.nodes();
+  const Index N = sample.disc.nodes();
   VectorField<D> u(N, D);
   for (Index q = 0; q < N; ++q) {
-    const Vector<D> X = specimen.disc.particles.X.row(q).transpose();
-    u.row(q) = (specimen.H0 * (X - origin)).transpose();
+    const Vector<D> X = sample.disc.particles.X.row(q).transpose();
+    u.row(q) = (sample.H0 * (X - origin)).transpose();
   }
-  specimen.state = make_state<D>(specimen.disc, u, VectorField<D>::Zero(N, D));
-  evaluate<D>(specimen.disc, specimen.state);
-  return specimen;
+  sample.state = make_state<D>(sample.disc, u, VectorField<D>::Zero(N, D));
+  evaluate<D>(sample.disc, sample.state);
+  return sample;
 }
 
-template Specimen<1> build_specimen<1>(const Subject&, const StateKey&, Support);
-template Specimen<2> build_specimen<2>(const Subject&, const StateKey&, Support);
+template Sample<1> build_sample<1>(const Subject&, const StateKey&, Support);
+template Sample<2> build_sample<2>(const Subject&, const StateKey&, Support);
 
 }  // namespace tlsph
