@@ -9,6 +9,7 @@
 
 #include "list.hpp"
 #include "tlsph/analysis/order.hpp"
+#include "tlsph/core/error.hpp"
 #include "tlsph/kernels/families.hpp"
 #include "tlsph/model/builder.hpp"
 #include "tlsph/operators/stabilisers.hpp"
@@ -33,7 +34,9 @@ double slope(std::string_view family, double q) {
   if (family == "modified-mollifier")
     return (2 * q / (s * s) * std::pow(s, 8) + 16 * q * std::pow(s, 7)) * std::exp(-1 / s);
   if (family == "quadratic") return 3. / 4 - 3. / 8 * r;
-  return 2 * std::pow(1 - r / 2, 3) * (2 * r + 1) - 2 * std::pow(1 - r / 2, 4);
+  if (family == "wendland-c2")
+    return 2 * std::pow(1 - r / 2, 3) * (2 * r + 1) - 2 * std::pow(1 - r / 2, 4);
+  throw InputError(fmt::format("no printed slope of the kernel {}", family));
 }
 
 /// Δ times the symbol of the gradient that is exact for linear fields, Σ w_j sin jθ / Σ w_j j.

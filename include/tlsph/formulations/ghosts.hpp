@@ -33,10 +33,8 @@ class GhostGradient {
     Scratch() = default;
     Scratch(const Scratch&) {}
     Scratch(Scratch&&) noexcept = default;
-    Scratch& operator=(Scratch other) noexcept {
-      solves.swap(other.solves);
-      return *this;
-    }
+    Scratch& operator=(const Scratch&) { return *this; }
+    Scratch& operator=(Scratch&&) noexcept = default;
     ~Scratch() = default;
   };
   /// The fields over nodes and ghosts of one evaluation, which the next one overwrites.

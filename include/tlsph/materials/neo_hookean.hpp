@@ -171,9 +171,9 @@ class NeoHookean {
   ///
   /// which grows at c = 0. For λ ≥ 0 it is concave: from the second iterate on the way goes up to
   /// the root. For λ < 0 it is convex and the way goes down to the root of the branch that grows;
-  /// without a root on it NaN. Right to round-off relative to c and, with `of_square`, to s² = 1 +
+  /// without a root on it NaN. Right to round-off relative to c and, with `OfSquare`, to s² = 1 +
   /// c down to 1e-5; in stress and tangent s² is added to 1, and the first is enough.
-  template <bool of_square = false, class R>
+  template <bool OfSquare = false, class R>
   [[nodiscard]] [[gnu::always_inline]] R square_change(const R& log, Mask<R>& good) const {
     constexpr int most_iterations = 60;
     R c = at_least<R>(-lambda_ / (mu_ + 0.5 * n * lambda_) * log, Numbers<R>::all(-0.9));
@@ -185,7 +185,7 @@ class NeoHookean {
       const R step = (mu_ * c + lambda_ * (log + 0.5 * n * transverse)) / slope;
       // the next step would be below round-off
       found = Numbers<R>::magnitude(step) <= 1e-9 * Numbers<R>::magnitude(c);
-      if constexpr (of_square) found &= Numbers<R>::magnitude(step) <= 1e-9 * (c + 1.0) + 1e-14;
+      if constexpr (OfSquare) found &= Numbers<R>::magnitude(step) <= 1e-9 * (c + 1.0) + 1e-14;
       if (lambda_ < 0.0) found &= slope > 0.0;
       c = at_least<R>(c - step, 0.1 * (1.0 + c) - 1.0);
     }
@@ -198,10 +198,10 @@ class NeoHookean {
   [[nodiscard]] [[gnu::always_inline]] R slope_of_change(const R& c) const {
     return -lambda_ * (1.0 + c) / (mu_ + 0.5 * n * lambda_ + mu_ * c);
   }
-  template <bool of_square = false, class R, int N>
+  template <bool OfSquare = false, class R, int N>
   [[nodiscard]] [[gnu::always_inline]] Dual<R, N> square_change(const Dual<R, N>& log,
                                                                 Mask<R>& good) const {
-    const R c = square_change<of_square>(log.value, good);
+    const R c = square_change<OfSquare>(log.value, good);
     const R slope = slope_of_change(c);
     return dual<N>(c, [&](int k) { return slope * log.change[k]; });
   }
