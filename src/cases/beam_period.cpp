@@ -45,8 +45,8 @@ std::string spacing(int through) {
 }
 
 double period(const CaseRun& run, const Settings& settings, int through) {
-  const auto disc = build<2>(run.read("plate.toml", with(settings, {spacing(through)})));
-  return 2 * std::numbers::pi / LinearBody(disc).lowest_frequency();
+  const auto body = build<2>(run.read("plate.toml", with(settings, {spacing(through)})));
+  return 2 * std::numbers::pi / LinearBody(body).lowest_frequency();
 }
 
 /// The same operators stepped: the mean, for the initial field is not quite the mode.

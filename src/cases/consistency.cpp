@@ -134,18 +134,18 @@ void lattices(CaseRun& run) {
 /// Largest acceleration that a constant stress with its own tractions causes, over |P|/(ρΔ).
 template <int D>
 double false_acceleration(const Scene& scene) {
-  const Discretisation<D> disc = build<D>(scene);
+  const Discretisation<D> body = build<D>(scene);
   double worst = 0.0;
   for (int component = 0; component < D * D; ++component) {
-    TensorField<D> P = TensorField<D>::Zero(disc.points.size(), D * D);
+    TensorField<D> P = TensorField<D>::Zero(body.points.size(), D * D);
     P.col(component).setOnes();
-    VectorField<D> f(disc.nodes(), D);
-    disc.divergence.divergence(P, f);
-    f.col(component / D) += disc.particles.B.col(component % D);
-    for (Index q = 0; q < disc.nodes(); ++q)
-      worst = std::max(worst, f.row(q).norm() / disc.mass[q]);
+    VectorField<D> f(body.nodes(), D);
+    body.divergence.divergence(P, f);
+    f.col(component / D) += body.particles.B.col(component % D);
+    for (Index q = 0; q < body.nodes(); ++q)
+      worst = std::max(worst, f.row(q).norm() / body.mass[q]);
   }
-  return worst * scene.materials.front().density * disc.spacing;
+  return worst * scene.materials.front().density * body.spacing;
 }
 
 void constant_stress(CaseRun& run) {

@@ -74,7 +74,7 @@ void conditions(CaseRun& run) {
 /// A gradient and the force operator that goes with it, or does not.
 struct Pair {
   std::string name;
-  Discretisation<2> disc;
+  Discretisation<2> body;
   bool linear_momentum;  // must be kept
   bool angular_momentum;
 };
@@ -89,29 +89,29 @@ std::vector<Pair> pairs(CaseRun& run) {
       {"consistent, least squares", consistent("least-squares"), true, true},
       {"consistent, none", consistent("none"), true, false}};
   Pair foreign{"G gradient, D of none", consistent("gradient"), true, false};
-  foreign.disc.divergence = result.back().disc.divergence;
+  foreign.body.divergence = result.back().body.divergence;
   // The plain sum Σ V_a V_b P_b ∇W, as of a body whose stress ends at its surface.
   Pair strong{"G mixed, D = VX", consistent("mixed"), false, false};
   const Scene scene = run.read("disc.toml");
-  const Particles<2>& particles = strong.disc.particles;
-  strong.disc.divergence =
+  const Particles<2>& particles = strong.body.particles;
+  strong.body.divergence =
       plain_gradient<2>(*kernel_by_name(scene.kernel.family),
                         *scene.kernel.support * particles.spacing, particles.X, particles.V)
           .row_scaled(particles.V);
   for (Pair* pair : {&foreign, &strong}) {
-    pair->disc.adjoint = false;
+    pair->body.adjoint = false;
     result.push_back(std::move(*pair));
   }
   return result;
 }
 
 /// How much of both momenta is lost in a run, over time.
-std::vector<CaseColumn> drift(CaseRun& run, const Discretisation<2>& disc, double dt) {
+std::vector<CaseColumn> drift(CaseRun& run, const Discretisation<2>& body, double dt) {
   const Scene scene = run.read("disc.toml");
-  const auto initial = build_initial<2>(scene, disc);
+  const auto initial = build_initial<2>(scene, body);
   std::vector<CaseColumn> result = {{"time"}, {"linear"}, {"angular"}};
   try {
-    Stepper<2> stepper(disc, initial.displacement, initial.velocity,
+    Stepper<2> stepper(body, initial.displacement, initial.velocity,
                        {.step = dt, .sweep = false, .balance_every = 0});
     stepper.evaluate();
     const Balance<2> first = balance<2>(stepper.instant());
@@ -133,24 +133,24 @@ std::vector<CaseColumn> drift(CaseRun& run, const Discretisation<2>& disc, doubl
 
 /// Largest |f + ∂U/∂u| over some degrees of freedom, relative to the largest force, by a central
 /// difference of fourth order at a deformed state.
-double force_error(const Discretisation<2>& disc) {
-  const double step = 1e-3 * disc.spacing;
-  VectorField<2> u(disc.nodes(), 2);
+double force_error(const Discretisation<2>& body) {
+  const double step = 1e-3 * body.spacing;
+  VectorField<2> u(body.nodes(), 2);
   std::mt19937_64 random(7);
   const auto noise = [&] { return 2.0 * std::ldexp(static_cast<double>(random() >> 11), -53) - 1; };
-  for (Index q = 0; q < disc.nodes(); ++q) {
-    const Vector<2> X = disc.particles.X.row(q).transpose();
-    u.row(q) << 0.05 * X[0] * X[1] + 0.02 * disc.spacing * noise(),
-        0.08 * X[0] - 0.04 * X[1] + 0.02 * disc.spacing * noise();
+  for (Index q = 0; q < body.nodes(); ++q) {
+    const Vector<2> X = body.particles.X.row(q).transpose();
+    u.row(q) << 0.05 * X[0] * X[1] + 0.02 * body.spacing * noise(),
+        0.08 * X[0] - 0.04 * X[1] + 0.02 * body.spacing * noise();
   }
-  State<2> state = make_state<2>(disc, u, VectorField<2>::Zero(disc.nodes(), 2));
+  State<2> state = make_state<2>(body, u, VectorField<2>::Zero(body.nodes(), 2));
   const auto energy = [&](Index dof, double shift) {
     state.u = u;
     state.u.data()[dof] += shift;
-    evaluate<2>(disc, state);
-    return elastic_energy<2>(disc, state);
+    evaluate<2>(body, state);
+    return elastic_energy<2>(body, state);
   };
-  evaluate<2>(disc, state);
+  evaluate<2>(body, state);
   const VectorField<2> force = state.f;
   double worst = 0.0;
   for (Index dof = 0; dof < force.size(); dof += force.size() / 40) {
@@ -165,18 +165,18 @@ double force_error(const Discretisation<2>& disc) {
 void momenta(CaseRun& run) {
   const auto all = pairs(run);
   // One step for all: half of what the first pair allows.
-  const Discretisation<2>& first = all.front().disc;
+  const Discretisation<2>& first = all.front().body;
   const double dt = 0.5 * critical_step<2>(first, state_at_rest<2>(first)).dt;
   for (std::size_t k = 0; k < all.size(); ++k) {
     const Pair& pair = all[k];
-    const std::vector<CaseColumn> lost = drift(run, pair.disc, dt);
+    const std::vector<CaseColumn> lost = drift(run, pair.body, dt);
     const Checks check(run, ", " + pair.name);
     for (const auto& [column, kept] :
          {std::pair{1U, pair.linear_momentum}, {2U, pair.angular_momentum}})
       check("Bonet & Lok, sec. 3", lost[column].name + " momentum lost, of its scale",
             std::ranges::max(lost[column].values), kept ? at_most(round_off) : at_least(1e-4));
-    check("Bonet & Lok, sec. 2", "|f + ∂U/∂u|, of the largest force", force_error(pair.disc),
-          pair.disc.adjoint ? at_most(1e-9) : at_least(1e-3));
+    check("Bonet & Lok, sec. 2", "|f + ∂U/∂u|, of the largest force", force_error(pair.body),
+          pair.body.adjoint ? at_most(1e-9) : at_least(1e-3));
     run.table(fmt::format("pair{}", k), lost);
   }
 }

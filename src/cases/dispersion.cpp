@@ -201,15 +201,15 @@ double count_up_to(const std::vector<double>& squares, double limit) {
 }
 
 /// Modes without energy beside the translations of a body without boundary, periodic after `nodes`
-/// nodes a direction: what it answers to waves is that of the middle of `disc`.
+/// nodes a direction: what it answers to waves is that of the middle of `body`.
 template <int D>
-double on_torus(const Discretisation<D>& disc, int nodes) {
-  const auto symbol = lattice_symbol<D>(disc, state_at_rest<D>(disc));
+double on_torus(const Discretisation<D>& body, int nodes) {
+  const auto symbol = lattice_symbol<D>(body, state_at_rest<D>(body));
   std::vector<double> squares;
   for (int wave = 0; wave < std::pow(nodes, D); ++wave) {
     Vector<D> k;
     for (int a = 0, number = wave; a < D; ++a, number /= nodes)
-      k[a] = 2 * pi * (number % nodes) / (nodes * disc.particles.spacings[a]);
+      k[a] = 2 * pi * (number % nodes) / (nodes * body.particles.spacings[a]);
     for (const double square : squared_frequencies<D>(symbol, k)) squares.push_back(square);
   }
   return count_up_to(squares, nothing * std::ranges::max(squares)) - D;

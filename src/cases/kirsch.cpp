@@ -43,26 +43,26 @@ struct Plate {
 
 Plate solve(const CaseRun& run, int per_radius, const Settings& settings) {
   const std::string spacing = fmt::format("body.spacing={}", radius / per_radius);
-  const auto disc = build<2>(run.read("plate.toml", with(settings, {spacing})));
-  VectorField<2> forces = VectorField<2>::Zero(disc.nodes(), 2);
+  const auto body = build<2>(run.read("plate.toml", with(settings, {spacing})));
+  VectorField<2> forces = VectorField<2>::Zero(body.nodes(), 2);
   for (const char* name : {"right", "top"})
-    for (const Face<2>& face : disc.particles.find(name)->faces)
+    for (const Face<2>& face : body.particles.find(name)->faces)
       for (std::size_t k = 0; k < 2; ++k) {
         const int q = face.nodes[k];
         const Vector<2> area = face.share[k] * face.area;
-        forces.row(q) += (kirsch(disc.particles.X.row(q).transpose()) * area).transpose();
+        forces.row(q) += (kirsch(body.particles.X.row(q).transpose()) * area).transpose();
       }
-  const VectorField<2> u = LinearBody(disc).at_rest(forces);
-  TensorField<2> H(disc.points.size(), 4);
-  disc.gradient.gradient(u, H);
+  const VectorField<2> u = LinearBody(body).at_rest(forces);
+  TensorField<2> H(body.points.size(), 4);
+  body.gradient.gradient(u, H);
   Plate plate;
   double error = 0.0, norm = 0.0;
-  for (Index s = 0; s < disc.points.size(); ++s) {
-    const Vector<2> X = disc.points.X.row(s).transpose();
-    const Tensor<2> P = pk1<2>(disc.regions.front().law, tensor_at<2>(H, s));
+  for (Index s = 0; s < body.points.size(); ++s) {
+    const Vector<2> X = body.points.X.row(s).transpose();
+    const Tensor<2> P = pk1<2>(body.regions.front().law, tensor_at<2>(H, s));
     const Tensor<2> exact = kirsch(X);
-    error += disc.points.V[s] * (P - exact).squaredNorm();
-    norm += disc.points.V[s] * exact.squaredNorm();
+    error += body.points.V[s] * (P - exact).squaredNorm();
+    norm += body.points.V[s] * exact.squaredNorm();
     if (X.norm() > (1 + 1e-9) * radius) continue;
     const Vector<2> along(-X[1] / X.norm(), X[0] / X.norm());
     const double hoop = along.dot(P * along);

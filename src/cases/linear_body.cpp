@@ -7,15 +7,15 @@
 namespace tlsph {
 namespace {
 
-std::vector<Index> free_dofs(const Discretisation<2>& disc) {
+std::vector<Index> free_dofs(const Discretisation<2>& body) {
   std::vector<Index> free;
-  for (Index dof = 0; dof < disc.inverse_mass.size(); ++dof)
-    if (disc.inverse_mass.data()[dof] > 0.0) free.push_back(dof);
+  for (Index dof = 0; dof < body.inverse_mass.size(); ++dof)
+    if (body.inverse_mass.data()[dof] > 0.0) free.push_back(dof);
   return free;
 }
 
-SparseMatrix stiffness(const Discretisation<2>& disc) {
-  return stiffness_matrix<2>(disc, TensorField<2>::Zero(disc.points.size(), 4));
+SparseMatrix stiffness(const Discretisation<2>& body) {
+  return stiffness_matrix<2>(body, TensorField<2>::Zero(body.points.size(), 4));
 }
 
 }  // namespace
@@ -29,8 +29,8 @@ SparseMatrix among(const SparseMatrix& matrix, const std::vector<Index>& chosen)
   return SparseMatrix(choose * matrix) * SparseMatrix(choose.transpose());
 }
 
-LinearBody::LinearBody(const Discretisation<2>& disc)
-    : disc_(disc), free_(free_dofs(disc)), factor_(among(stiffness(disc), free_)) {}
+LinearBody::LinearBody(const Discretisation<2>& body)
+    : disc_(body), free_(free_dofs(body)), factor_(among(stiffness(body), free_)) {}
 
 VectorField<2> LinearBody::at_rest(const VectorField<2>& forces) const {
   VectorField<2> u = VectorField<2>::Zero(disc_.nodes(), 2);

@@ -15,7 +15,7 @@ class LinearBody {
  public:
   /// Factorises the stiffness at H = 0 among the free degrees of freedom. NumericalError if some
   /// motion costs no energy.
-  explicit LinearBody(const Discretisation<2>& disc);
+  explicit LinearBody(const Discretisation<2>& body);
 
   /// The displacements (N×2) at which the body rests under forces (N×2) [N per thickness].
   [[nodiscard]] VectorField<2> at_rest(const VectorField<2>& forces) const;

@@ -184,8 +184,9 @@ class MixedForm {
 };
 
 /// `evaluate`, with strain and stress passed through the mixed form.
-void evaluate_mixed(const Discretisation<2>& disc, const MixedForm& form, State<2>& state) {
-  evaluate<2>(disc, state);
+void evaluate_mixed(const Discretisation<2>& discretisation, const MixedForm& form,
+                    State<2>& state) {
+  evaluate<2>(discretisation, state);
   state.H = form.pass(state.H);
   std::visit(
       [&](const auto& law) {
@@ -194,9 +195,9 @@ void evaluate_mixed(const Discretisation<2>& disc, const MixedForm& form, State<
           Eigen::Map<Tensor<2>>(state.P.row(s).data()) = P;
         }
       },
-      disc.regions.front().law);
+      discretisation.regions.front().law);
   state.P = form.pass(state.P);
-  disc.divergence.divergence(state.P, state.f);
+  discretisation.divergence.divergence(state.P, state.f);
 }
 
 /// The same pairs as operators of the reference configuration.
@@ -212,11 +213,11 @@ void reference_pairs(CaseRun& run) {
   for (const auto family : families) rates.emplace_back(std::string(family));
   for (std::size_t strain = 0; strain < families.size(); ++strain)
     for (std::size_t stress = 0; stress < families.size(); ++stress) {
-      Discretisation<2> disc = base;
-      disc.gradient = G[strain];
-      disc.divergence = G[stress].negative_adjoint(disc.points.V);
-      disc.adjoint = strain == stress;
-      const double rate = growth_rate(eigenvalues(dynamical_matrix<2>(disc))) * unit;
+      Discretisation<2> discretisation = base;
+      discretisation.gradient = G[strain];
+      discretisation.divergence = G[stress].negative_adjoint(discretisation.points.V);
+      discretisation.adjoint = strain == stress;
+      const double rate = growth_rate(eigenvalues(dynamical_matrix<2>(discretisation))) * unit;
       rates[stress].values.push_back(rate);
       const auto quantity =
           fmt::format("growth at rest in the reference configuration, strain {}, stress {} [c/Δ]",
@@ -230,13 +231,14 @@ void reference_pairs(CaseRun& run) {
 /// Fig. 8-4: a run whose strains and stresses pass through the mixed form.
 void reinterpolated(CaseRun& run) {
   const Scene scene = run.read("sheet.toml");
-  const auto disc = build<2>(scene);
-  const MixedForm form(kernel(scene.kernel.family), support * disc.spacing, disc.particles.X);
-  const auto initial = build_initial<2>(scene, disc);
-  Stepper<2> basic(disc, initial.displacement, initial.velocity,
+  const auto discretisation = build<2>(scene);
+  const MixedForm form(kernel(scene.kernel.family), support * discretisation.spacing,
+                       discretisation.particles.X);
+  const auto initial = build_initial<2>(scene, discretisation);
+  Stepper<2> basic(discretisation, initial.displacement, initial.velocity,
                    {.safety = 0.8, .adaptive = false, .sweep = false, .balance_every = 0});
   const double step = 0.8 * basic.critical().dt;
-  Stepper<2> passed(disc, initial.displacement, initial.velocity,
+  Stepper<2> passed(discretisation, initial.displacement, initial.velocity,
                     {.step = step,
                      .balance_every = 0,
                      .evaluate = [&form](const Discretisation<2>& body, State<2>& state) {

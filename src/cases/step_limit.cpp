@@ -45,9 +45,9 @@ double observed_growth(CaseRun& run, const Settings& set, double dt) {
   constexpr double from = 1e20;
   constexpr double to = 1e100;
   constexpr long most_steps = 2'000'000;
-  const auto disc = build<1>(run.read("bar.toml", set));
-  const VectorField<1> rest = VectorField<1>::Zero(disc.nodes(), 1);
-  Stepper<1> stepper(disc, rest, rest,
+  const auto body = build<1>(run.read("bar.toml", set));
+  const VectorField<1> rest = VectorField<1>::Zero(body.nodes(), 1);
+  Stepper<1> stepper(body, rest, rest,
                      {.step = dt, .balance_every = 0, .evaluate = evaluate_unchecked<1>});
   const State<1>& state = stepper.state();
   long first = 0;

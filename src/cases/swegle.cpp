@@ -88,22 +88,22 @@ void total_lagrangian(CaseRun& run, const char* name, double stretch) {
 void thin_layers(CaseRun& run) {
   const Scene scene = run.read(
       "sheet.toml", {"formulation=variational", R"(kernel={family="cubic-spline", support=2.4})"});
-  const auto disc = build<2>(scene);
+  const auto body = build<2>(scene);
   double refused = 0.0;
   try {
-    (void)build_initial<2>(scene, disc);
+    (void)build_initial<2>(scene, body);
   } catch (const InputError&) {
     refused = 1.0;
   }
   run.check("this project", "scene with bare clamped edges, variational, is refused (1: yes)",
             refused, absolute(1.0, 0.0));
 
-  Stepper<2> stepper(disc, strain * disc.particles.X, VectorField<2>::Zero(disc.nodes(), 2),
+  Stepper<2> stepper(body, strain * body.particles.X, VectorField<2>::Zero(body.nodes(), 2),
                      {.step = 3e-8, .sweep = false, .balance_every = 0});
   double largest = 0.0;
   for (int step = 0; step < 1000; ++step) {
     stepper.step();
-    largest = std::max(largest, 0.5 * disc.mass.dot(stepper.state().v.rowwise().squaredNorm()));
+    largest = std::max(largest, 0.5 * body.mass.dot(stepper.state().v.rowwise().squaredNorm()));
   }
   run.check("this project", "kinetic energy over the first that it would have had",
             largest / first_energy, reported());

@@ -14,24 +14,24 @@ namespace tlsph {
 
 /// The body undeformed and at rest, its forces not yet evaluated.
 template <int D>
-[[nodiscard]] State<D> state_at_rest(const Discretisation<D>& disc) {
-  const VectorField<D> zero = VectorField<D>::Zero(disc.nodes(), D);
-  return make_state<D>(disc, zero, zero);
+[[nodiscard]] State<D> state_at_rest(const Discretisation<D>& body) {
+  const VectorField<D> zero = VectorField<D>::Zero(body.nodes(), D);
+  return make_state<D>(body, zero, zero);
 }
 
 /// M^-½ K M^-½ over the degrees of freedom that are free [1/s²], K = −∂f/∂u column by column from
 /// the forces of the run itself, stabiliser included. Linear laws only; N² time.
 template <int D>
-[[nodiscard]] SparseMatrix dynamical_matrix(const Discretisation<D>& disc) {
-  const State<D> rest = state_at_rest<D>(disc);
-  return LinearisedForces<D>(disc, rest).dynamical_matrix();
+[[nodiscard]] SparseMatrix dynamical_matrix(const Discretisation<D>& body) {
+  const State<D> rest = state_at_rest<D>(body);
+  return LinearisedForces<D>(body, rest).dynamical_matrix();
 }
 
 /// All ω² of it, ascending [1/s²]; real parts where the forces come from no energy.
 template <int D>
-[[nodiscard]] std::vector<double> squared_frequencies(const Discretisation<D>& disc) {
+[[nodiscard]] std::vector<double> squared_frequencies(const Discretisation<D>& body) {
   std::vector<double> result;
-  for (const auto& value : eigenvalues(dynamical_matrix<D>(disc))) result.push_back(value.real());
+  for (const auto& value : eigenvalues(dynamical_matrix<D>(body))) result.push_back(value.real());
   std::ranges::sort(result);
   return result;
 }

@@ -43,10 +43,10 @@ std::string HyperbolicityLoss::text() const {
 }
 
 template <int D>
-std::optional<HyperbolicityLoss> most_unstable_point(const Discretisation<D>& disc,
+std::optional<HyperbolicityLoss> most_unstable_point(const Discretisation<D>& body,
                                                      const State<D>& state) {
   std::optional<HyperbolicityLoss> worst;
-  for (const Region<D>& region : disc.regions)
+  for (const Region<D>& region : body.regions)
     std::visit(
         [&](const auto& law) {
           if constexpr (!std::decay_t<decltype(law)>::small_strain)
@@ -54,7 +54,7 @@ std::optional<HyperbolicityLoss> most_unstable_point(const Discretisation<D>& di
         },
         region.law);
   if (worst) {
-    const auto X = disc.points.X.row(worst->point);
+    const auto X = body.points.X.row(worst->point);
     worst->position.assign(X.begin(), X.end());
     const Tensor<D> F = deformation_gradient<D>(tensor_at<D>(state.H, worst->point));
     const Vector<D> stretches = Eigen::JacobiSVD<Tensor<D>>(F).singularValues();

@@ -15,9 +15,9 @@ StressMeasures<D> stress_measures(const Region<D>& region, const Tensor<D>& H, c
 }
 
 template <int D>
-std::size_t region_of(const Discretisation<D>& disc, Index point) {
-  for (std::size_t r = 0; r < disc.regions.size(); ++r) {
-    const auto& points = disc.regions[r].points;
+std::size_t region_of(const Discretisation<D>& body, Index point) {
+  for (std::size_t r = 0; r < body.regions.size(); ++r) {
+    const auto& points = body.regions[r].points;
     if (points.empty() || std::binary_search(points.begin(), points.end(), point)) return r;
   }
   return 0;

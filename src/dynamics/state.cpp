@@ -22,13 +22,13 @@ namespace tlsph {
 namespace {
 
 template <int D>
-void evaluate_signals(const Discretisation<D>& disc, double time, std::vector<double>& values) {
-  for (std::size_t k = 0; k < disc.signals.size(); ++k) {
-    const Signal& signal = disc.signals[k];
+void evaluate_signals(const Discretisation<D>& body, double time, std::vector<double>& values) {
+  for (std::size_t k = 0; k < body.signals.size(); ++k) {
+    const Signal& signal = body.signals[k];
     const double load = value(signal.curve, time);
     values[k] = signal.kind == Signal::Kind::value
                     ? load
-                    : uniaxial_gradient<D>(disc.regions[signal.region].law, load);
+                    : uniaxial_gradient<D>(body.regions[signal.region].law, load);
   }
 }
 
@@ -59,17 +59,17 @@ double apply_law(const Region<D>& region, State<D>& state) {
 
 /// H and P of the state; not finite where a stress is not.
 template <int D>
-double stresses(const Discretisation<D>& disc, State<D>& state) {
-  evaluate_signals(disc, state.time, state.signals);
-  if (disc.ghosts)
-    disc.ghosts->apply(state.u, state.signals, state.H, state.ghosts);
+double stresses(const Discretisation<D>& body, State<D>& state) {
+  evaluate_signals(body, state.time, state.signals);
+  if (body.ghosts)
+    body.ghosts->apply(state.u, state.signals, state.H, state.ghosts);
   else
-    disc.gradient.gradient(state.u, state.H);
-  add_terms(disc.gradient_terms, state.signals, state.H.data());
+    body.gradient.gradient(state.u, state.H);
+  add_terms(body.gradient_terms, state.signals, state.H.data());
 
   double finite = 0.0;
-  for (const Region<D>& region : disc.regions) finite += apply_law(region, state);
-  for (const SignalTerm& term : disc.stress_values)
+  for (const Region<D>& region : body.regions) finite += apply_law(region, state);
+  for (const SignalTerm& term : body.stress_values)
     state.P.data()[term.slot] =
         term.signal == no_signal ? 0.0 : term.weight * state.signals[term.signal];
   return finite;
@@ -77,34 +77,34 @@ double stresses(const Discretisation<D>& disc, State<D>& state) {
 
 /// f of the state from its P.
 template <int D>
-void forces(const Discretisation<D>& disc, State<D>& state) {
-  disc.divergence.divergence(state.P, state.f);
-  add_terms(disc.force_terms, state.signals, state.f.data());
-  if (disc.adjoint)
-    for (const Load& load : disc.loads) {
+void forces(const Discretisation<D>& body, State<D>& state) {
+  body.divergence.divergence(state.P, state.f);
+  add_terms(body.force_terms, state.signals, state.f.data());
+  if (body.adjoint)
+    for (const Load& load : body.loads) {
       const double pressure = value(load.curve, state.time);
       for (std::size_t k = 0; k < load.dof.size(); ++k)
         state.f.data()[load.dof[k]] += pressure * load.weight[k];
     }
-  if (disc.has_body_force()) state.f.noalias() += disc.mass * disc.body_force.transpose();
-  subtract_stabiliser<D>(disc, state.u, state.f);
-  if (disc.viscosity.nonZeros() > 0) {
-    multiply_differences<D>(disc.viscosity, state.v, state.viscous);
+  if (body.has_body_force()) state.f.noalias() += body.mass * body.body_force.transpose();
+  subtract_stabiliser<D>(body, state.u, state.f);
+  if (body.viscosity.nonZeros() > 0) {
+    multiply_differences<D>(body.viscosity, state.v, state.viscous);
     state.f -= state.viscous;
   }
 }
 
 /// "(0.1, 0.2)" of a material point.
 template <int D>
-std::string place_of(const Discretisation<D>& disc, Index point) {
-  const auto X = disc.points.X.row(point);
+std::string place_of(const Discretisation<D>& body, Index point) {
+  const auto X = body.points.X.row(point);
   return fmt::format("({:.6g})", fmt::join(X.begin(), X.end(), ", "));
 }
 
 }  // namespace
 
 template <int D>
-void report_loss(const Discretisation<D>& disc, const State<D>& state, const std::string& what) {
+void report_loss(const Discretisation<D>& body, const State<D>& state, const std::string& what) {
   Index worst = 0;
   double most = -1.0;
   for (Index s = 0; s < state.H.rows(); ++s) {
@@ -118,12 +118,12 @@ void report_loss(const Discretisation<D>& disc, const State<D>& state, const std
   }
   throw NumericalError(
       fmt::format("{} at t = {:.6e} s, step {}; material point {} at {} m is deformed most", what,
-                  state.time, state.step, worst, place_of<D>(disc, worst)),
+                  state.time, state.step, worst, place_of<D>(body, worst)),
       state.time, static_cast<long>(worst));
 }
 
 template <int D>
-void report_failure(const Discretisation<D>& disc, const State<D>& state) {
+void report_failure(const Discretisation<D>& body, const State<D>& state) {
   Index worst = 0;
   double smallest = std::numeric_limits<double>::infinity();
   const auto look_at = [&](const Region<D>& region, Index s) {
@@ -134,16 +134,16 @@ void report_failure(const Discretisation<D>& disc, const State<D>& state) {
     worst = s;
     smallest = lost ? -std::numeric_limits<double>::infinity() : here;
   };
-  for (const Region<D>& region : disc.regions)
+  for (const Region<D>& region : body.regions)
     for (Index k = 0; k < region.size(state.H.rows()); ++k) look_at(region, region.point(k));
-  const AnyLaw<D>& law = disc.regions[region_of<D>(disc, worst)].law;
+  const AnyLaw<D>& law = body.regions[region_of<D>(body, worst)].law;
   const Tensor<D> H = tensor_at<D>(state.H, worst);
   const double J = 1 + volume_change<D>(H);
   const bool beyond = J > 0.0 && !(margin<D>(law, H) > 0.0);
   throw NumericalError(
       fmt::format("{} at t = {:.6e} s, step {}: material point {} at {} m has det F = {:.3g} {}",
                   beyond ? "the range of the law ended" : "deformation lost", state.time,
-                  state.step, worst, place_of<D>(disc, worst), J,
+                  state.step, worst, place_of<D>(body, worst), J,
                   beyond
                       ? fmt::format("and is outside the law's range, {}", range<D>(law))
                       : "or a stress that is not finite; a smaller time.safety, a finer spacing, "
@@ -152,51 +152,51 @@ void report_failure(const Discretisation<D>& disc, const State<D>& state) {
 }
 
 template <int D>
-State<D> make_state(const Discretisation<D>& disc, VectorField<D> u, VectorField<D> v) {
+State<D> make_state(const Discretisation<D>& body, VectorField<D> u, VectorField<D> v) {
   State<D> state;
   state.u = std::move(u);
   state.v = std::move(v);
-  for (const Index dof : disc.constraints.fixed) {
+  for (const Index dof : body.constraints.fixed) {
     state.u.data()[dof] = 0.0;
     state.v.data()[dof] = 0.0;
   }
-  for (const Index dof : disc.constraints.held) state.v.data()[dof] = 0.0;
-  for (const auto& motion : disc.constraints.moved) {
-    const Curve& curve = disc.constraints.curves[motion.curve];
+  for (const Index dof : body.constraints.held) state.v.data()[dof] = 0.0;
+  for (const auto& motion : body.constraints.moved) {
+    const Curve& curve = body.constraints.curves[motion.curve];
     state.u.data()[motion.dof] = value(curve, 0.0);
     state.v.data()[motion.dof] = rate(curve, 0.0);
   }
-  const Index M = disc.points.size();
+  const Index M = body.points.size();
   state.H = TensorField<D>::Zero(M, D * D);
   state.P = TensorField<D>::Zero(M, D * D);
-  state.past = state.memory = MemoryField::Zero(M, disc.memory());
-  state.f = VectorField<D>::Zero(disc.nodes(), D);
-  if (disc.viscosity.nonZeros() > 0) state.viscous = VectorField<D>::Zero(disc.nodes(), D);
-  state.signals.assign(disc.signals.size(), 0.0);
-  if (disc.ghosts) state.ghosts = disc.ghosts->workspace();
+  state.past = state.memory = MemoryField::Zero(M, body.memory());
+  state.f = VectorField<D>::Zero(body.nodes(), D);
+  if (body.viscosity.nonZeros() > 0) state.viscous = VectorField<D>::Zero(body.nodes(), D);
+  state.signals.assign(body.signals.size(), 0.0);
+  if (body.ghosts) state.ghosts = body.ghosts->workspace();
   return state;
 }
 
 template <int D>
-void evaluate(const Discretisation<D>& disc, State<D>& state) {
-  if (!std::isfinite(stresses(disc, state))) report_failure(disc, state);
-  forces(disc, state);
+void evaluate(const Discretisation<D>& body, State<D>& state) {
+  if (!std::isfinite(stresses(body, state))) report_failure(body, state);
+  forces(body, state);
 }
 
 template <int D>
-void evaluate_unchecked(const Discretisation<D>& disc, State<D>& state) {
-  (void)stresses(disc, state);
-  forces(disc, state);
+void evaluate_unchecked(const Discretisation<D>& body, State<D>& state) {
+  (void)stresses(body, state);
+  forces(body, state);
 }
 
 template <int D>
-double next_velocity(const Discretisation<D>& disc, const State<D>& state, double dt, Index dof) {
-  const double inverse_mass = disc.inverse_mass.data()[dof];
+double next_velocity(const Discretisation<D>& body, const State<D>& state, double dt, Index dof) {
+  const double inverse_mass = body.inverse_mass.data()[dof];
   if (inverse_mass == 0.0) {
-    const auto& moved = disc.constraints.moved;
+    const auto& moved = body.constraints.moved;
     const auto motion = std::ranges::lower_bound(moved, dof, {}, &Constraints::Motion::dof);
     if (motion == moved.end() || motion->dof != dof) return 0.0;
-    return (value(disc.constraints.curves[motion->curve], state.time + dt) - state.u.data()[dof]) /
+    return (value(body.constraints.curves[motion->curve], state.time + dt) - state.u.data()[dof]) /
            dt;
   }
   return state.v.data()[dof] + 0.5 * (state.last_dt + dt) * inverse_mass * state.f.data()[dof];
@@ -211,19 +211,19 @@ NodalMotion Instant<D>::motion(Index dof) const {
 }
 
 template <int D>
-void start(const Discretisation<D>& disc, State<D>& state, double dt) {
+void start(const Discretisation<D>& body, State<D>& state, double dt) {
   state.last_dt = dt;
-  state.v -= 0.5 * dt * disc.inverse_mass.cwiseProduct(state.f);
+  state.v -= 0.5 * dt * body.inverse_mass.cwiseProduct(state.f);
 }
 
 template <int D>
-void advance(const Discretisation<D>& disc, State<D>& state, double dt, double next_time) {
+void advance(const Discretisation<D>& body, State<D>& state, double dt, double next_time) {
   const double kick = 0.5 * (state.last_dt + dt);
   double* u = state.u.data();
   double* v = state.v.data();
   const double* f = state.f.data();
-  const double* inverse_mass = disc.inverse_mass.data();
-  for_rows(disc.nodes(), [=](Index q) {
+  const double* inverse_mass = body.inverse_mass.data();
+  for_rows(body.nodes(), [=](Index q) {
     for (Index k = q * D; k < (q + 1) * D; ++k) {
       v[k] += kick * inverse_mass[k] * f[k];
       u[k] += dt * v[k];
@@ -233,8 +233,8 @@ void advance(const Discretisation<D>& disc, State<D>& state, double dt, double n
   ++state.step;
   state.time = next_time;
   state.last_dt = dt;
-  for (const auto& motion : disc.constraints.moved) {
-    const double next = value(disc.constraints.curves[motion.curve], state.time);
+  for (const auto& motion : body.constraints.moved) {
+    const double next = value(body.constraints.curves[motion.curve], state.time);
     // u already holds u_n + Δt v_n−½ here; v_n−½ is still in v, its inverse mass being zero.
     v[motion.dof] = (next - (u[motion.dof] - dt * v[motion.dof])) / dt;
     u[motion.dof] = next;

@@ -14,34 +14,34 @@ namespace {
 
 /// D = −GᵀV of the gradient it has, rows that are equal up to a shift stored once.
 template <int D>
-void close_naturally(Discretisation<D>& disc) {
-  disc.gradient = std::move(disc.gradient).with_shared_rows(rounding_of<D>(disc.particles));
-  disc.divergence = disc.gradient.negative_adjoint(disc.points.V);
+void close_naturally(Discretisation<D>& body) {
+  body.gradient = std::move(body.gradient).with_shared_rows(rounding_of<D>(body.particles));
+  body.divergence = body.gradient.negative_adjoint(body.points.V);
 }
 
 /// The smallest change of the gradient on its own pattern that makes it consistent, if asked for.
 template <int D>
-void correct(const OperatorChoices& choices, Discretisation<D>& disc) {
+void correct(const OperatorChoices& choices, Discretisation<D>& body) {
   stop_point();
   if (!choices.consistency) return;
-  auto corrected = consistent_gradient<D>(disc.gradient, disc.points, disc.particles,
+  auto corrected = consistent_gradient<D>(body.gradient, body.points, body.particles,
                                           *choices.consistency, choices.consistency_place);
-  disc.gradient = std::move(corrected.gradient);
-  disc.consistency = corrected.residuals;
+  body.gradient = std::move(corrected.gradient);
+  body.consistency = corrected.residuals;
 }
 
 template <int D>
-double radius(const OperatorChoices& choices, const Discretisation<D>& disc) {
-  return choices.support.value_or(0.0) * disc.particles.spacing;
+double radius(const OperatorChoices& choices, const Discretisation<D>& body) {
+  return choices.support.value_or(0.0) * body.particles.spacing;
 }
 
 /// Gradient by a fit over the support of each node, or by sums with one of their corrections.
 template <int D>
-VectorOperator<D> node_gradient(const OperatorChoices& choices, const Discretisation<D>& disc) {
-  const Particles<D>& particles = disc.particles;
-  const double h = radius(choices, disc);
+VectorOperator<D> node_gradient(const OperatorChoices& choices, const Discretisation<D>& body) {
+  const Particles<D>& particles = body.particles;
+  const double h = radius(choices, body);
   if (choices.correction == Correction::least_squares)
-    return point_gradient<D>(choices.kernel, h, disc.points.X, particles.X, choices.order);
+    return point_gradient<D>(choices.kernel, h, body.points.X, particles.X, choices.order);
   return collocated_gradient<D>(choices.kernel, h, particles.X, particles.V, choices.correction);
 }
 
@@ -50,8 +50,8 @@ VectorOperator<D> node_gradient(const OperatorChoices& choices, const Discretisa
 /// closes the balance of energy. In `thesis`, whose forces do no such work, w = Σ_q D_q, what of
 /// a stress the forces of all nodes together have, which closes that of momentum.
 template <int D>
-void add_reactions_of_moved(const Edges<D>& edges, Discretisation<D>& disc) {
-  const LatticeFrame<D>& frame = *disc.particles.frame;
+void add_reactions_of_moved(const Edges<D>& edges, Discretisation<D>& body) {
+  const LatticeFrame<D>& frame = *body.particles.frame;
   for (std::size_t b = 0; b < D; ++b)
     for (std::size_t side = 0; side < 2; ++side)
       for (int i = 0; i < D; ++i) {
@@ -62,91 +62,91 @@ void add_reactions_of_moved(const Edges<D>& edges, Discretisation<D>& disc) {
           at[b] = side == 0 ? 0 : frame.counts[b] - 1;
           return Index{frame.index(at)};
         };
-        TensorField<D> w = TensorField<D>::Zero(disc.nodes(), D * D);
-        if (disc.ghosts) {
-          const Neighbours& rows = disc.divergence.pattern();
+        TensorField<D> w = TensorField<D>::Zero(body.nodes(), D * D);
+        if (body.ghosts) {
+          const Neighbours& rows = body.divergence.pattern();
           for (std::size_t k = 0; k < rows.column.size(); ++k) {
             const int p = rows.column[k];
             const int at = frame.coordinates(p)[b];
             if ((2 * at < frame.counts[b]) == (side == 0))
               w(p, i * D + static_cast<int>(b)) +=
-                  disc.divergence.weight(static_cast<Index>(k), static_cast<int>(b), i);
+                  body.divergence.weight(static_cast<Index>(k), static_cast<int>(b), i);
           }
         } else {
-          VectorField<D> u = VectorField<D>::Zero(disc.nodes(), D);
-          for (Index p = 0; p < disc.nodes(); ++p) u(across(p), i) = 1.0;
-          disc.gradient.gradient(u, w);
-          for (const SignalTerm& term : disc.gradient_terms)
+          VectorField<D> u = VectorField<D>::Zero(body.nodes(), D);
+          for (Index p = 0; p < body.nodes(); ++p) u(across(p), i) = 1.0;
+          body.gradient.gradient(u, w);
+          for (const SignalTerm& term : body.gradient_terms)
             if (term.signal == moving) w.data()[term.slot] += term.weight;
-          w.array().colwise() *= disc.points.V.array();
+          w.array().colwise() *= body.points.V.array();
         }
         const double rounding = 1e-14 * w.cwiseAbs().maxCoeff();
-        for (Index p = 0; p < disc.nodes(); ++p)
+        for (Index p = 0; p < body.nodes(); ++p)
           for (Index slot = p * D * D; slot < (p + 1) * D * D; ++slot)
             if (std::abs(w.data()[slot]) > rounding)
-              disc.reactions.push_back({across(p) * D + i, slot, w.data()[slot]});
+              body.reactions.push_back({across(p) * D + i, slot, w.data()[slot]});
       }
 }
 
 template <int D>
-LatticeStencil<D> stencil_of(const OperatorChoices& choices, const Discretisation<D>& disc) {
-  return lattice_stencil<D>(choices.kernel, choices.support.value_or(2.5), *disc.particles.frame);
+LatticeStencil<D> stencil_of(const OperatorChoices& choices, const Discretisation<D>& body) {
+  return lattice_stencil<D>(choices.kernel, choices.support.value_or(2.5), *body.particles.frame);
 }
 
 /// D with its boundary terms; returns G and its own, which `mirror` takes.
 template <int D>
 FoldedOperators<D> add_folded_divergence(const LatticeStencil<D>& stencil, const Edges<D>& edges,
-                                         TractionGhost ghost, Discretisation<D>& disc) {
-  auto folded = folded_operators<D>(stencil, *disc.particles.frame, disc.particles.V, edges, ghost);
-  disc.divergence = std::move(folded.divergence);
-  disc.force_terms = std::move(folded.force_terms);
-  disc.stress_values = std::move(folded.stress_values);
+                                         TractionGhost ghost, Discretisation<D>& body) {
+  auto folded = folded_operators<D>(stencil, *body.particles.frame, body.particles.V, edges, ghost);
+  body.divergence = std::move(folded.divergence);
+  body.force_terms = std::move(folded.force_terms);
+  body.stress_values = std::move(folded.stress_values);
   return folded;
 }
 
 // The builders, one a row of the table.
 
 template <int D>
-void thesis(const OperatorChoices& choices, const Edges<D>& edges, Discretisation<D>& disc) {
-  const LatticeStencil<D> stencil = stencil_of(choices, disc);
+void thesis(const OperatorChoices& choices, const Edges<D>& edges, Discretisation<D>& body) {
+  const LatticeStencil<D> stencil = stencil_of(choices, body);
   const bool eta = choices.ghosts == GhostClosure::eta;
   add_folded_divergence<D>(stencil, edges, eta ? TractionGhost::mirrored : TractionGhost::target,
-                           disc);
-  disc.ghosts = std::make_shared<const GhostGradient<D>>(
-      stencil, disc.particles, edges, choices.ghosts, choices.solver, choices.solver_place);
-  add_reactions_of_moved<D>(edges, disc);
+                           body);
+  body.ghosts = std::make_shared<const GhostGradient<D>>(
+      stencil, body.particles, edges, choices.ghosts, choices.solver, choices.solver_place);
+  add_reactions_of_moved<D>(edges, body);
 }
 
 template <int D>
-void mirror(const OperatorChoices& choices, const Edges<D>& edges, Discretisation<D>& disc) {
+void mirror(const OperatorChoices& choices, const Edges<D>& edges, Discretisation<D>& body) {
   auto folded =
-      add_folded_divergence<D>(stencil_of(choices, disc), edges, TractionGhost::mirrored, disc);
-  disc.gradient = std::move(folded.gradient);
-  disc.gradient_terms = std::move(folded.gradient_terms);
-  add_reactions_of_moved<D>(edges, disc);
+      add_folded_divergence<D>(stencil_of(choices, body), edges, TractionGhost::mirrored, body);
+  body.gradient = std::move(folded.gradient);
+  body.gradient_terms = std::move(folded.gradient_terms);
+  add_reactions_of_moved<D>(edges, body);
 }
 
 template <int D>
-void variational(const OperatorChoices& choices, const Edges<D>&, Discretisation<D>& disc) {
-  disc.gradient = node_gradient<D>(choices, disc);
-  close_naturally<D>(disc);
+void variational(const OperatorChoices& choices, const Edges<D>&, Discretisation<D>& body) {
+  body.gradient = node_gradient<D>(choices, body);
+  close_naturally<D>(body);
 }
 
 template <int D>
-void consistent(const OperatorChoices& choices, const Edges<D>&, Discretisation<D>& disc) {
-  disc.gradient = node_gradient<D>(choices, disc);
-  correct<D>(choices, disc);
-  close_naturally<D>(disc);
+void consistent(const OperatorChoices& choices, const Edges<D>&, Discretisation<D>& body) {
+  body.gradient = node_gradient<D>(choices, body);
+  correct<D>(choices, body);
+  close_naturally<D>(body);
 }
 
 template <int D>
-void stress_point(const OperatorChoices& choices, const Edges<D>&, Discretisation<D>& disc) {
-  disc.gradient = choices.support
-                      ? point_gradient<D>(choices.kernel, radius(choices, disc), disc.points.X,
-                                          disc.particles.X, choices.order)
-                      : cell_gradient<D>(disc.particles, disc.points);
-  correct<D>(choices, disc);
-  close_naturally<D>(disc);
+void stress_point(const OperatorChoices& choices, const Edges<D>&, Discretisation<D>& body) {
+  body.gradient = choices.support
+                      ? point_gradient<D>(choices.kernel, radius(choices, body), body.points.X,
+                                          body.particles.X, choices.order)
+                      : cell_gradient<D>(body.particles, body.points);
+  correct<D>(choices, body);
+  close_naturally<D>(body);
 }
 
 template <int D>
@@ -172,8 +172,8 @@ MaterialPoints<D> stress_points(Formulation formulation, const Particles<D>& par
 
 template <int D>
 void add_operators(Formulation formulation, const OperatorChoices& choices, const Edges<D>& edges,
-                   Discretisation<D>& disc) {
-  builders<D>[static_cast<std::size_t>(formulation)](choices, edges, disc);
+                   Discretisation<D>& body) {
+  builders<D>[static_cast<std::size_t>(formulation)](choices, edges, body);
   stop_point();
 }
 

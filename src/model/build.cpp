@@ -46,24 +46,24 @@ OperatorChoices choices_of(const Scene& scene, Gradients gradients) {
 template <int D>
 Discretisation<D> build(const Scene& scene, Gradients gradients) {
   Eigen::setNbThreads(1);  // its products would wait for their threads where cores are taken
-  Discretisation<D> disc;
-  disc.particles = build_particles<D>(scene);
+  Discretisation<D> body;
+  body.particles = build_particles<D>(scene);
   stop_point();
   if (scene.consistency && is_collocated(scene.formulation))
-    disc.particles = with_moments<D>(std::move(disc.particles), scene);
+    body.particles = with_moments<D>(std::move(body.particles), scene);
   stop_point();
-  disc.spacing = disc.particles.spacing;
-  disc.points = stress_points<D>(scene.formulation, disc.particles);
-  disc.adjoint = is_adjoint(scene.formulation);
-  parts::add_materials<D>(scene, disc);
-  disc.mass = with_shared_values(std::move(disc.mass), rounding_of<D>(disc.particles));
-  parts::add_conditions<D>(scene, disc);
+  body.spacing = body.particles.spacing;
+  body.points = stress_points<D>(scene.formulation, body.particles);
+  body.adjoint = is_adjoint(scene.formulation);
+  parts::add_materials<D>(scene, body);
+  body.mass = with_shared_values(std::move(body.mass), rounding_of<D>(body.particles));
+  parts::add_conditions<D>(scene, body);
   Edges<D> edges;
-  if (!disc.adjoint) edges = parts::build_edges<D>(scene, disc);
-  add_operators<D>(scene.formulation, choices_of(scene, gradients), edges, disc);
-  parts::add_stabiliser<D>(scene, disc);
+  if (!body.adjoint) edges = parts::build_edges<D>(scene, body);
+  add_operators<D>(scene.formulation, choices_of(scene, gradients), edges, body);
+  parts::add_stabiliser<D>(scene, body);
   stop_point();
-  return disc;
+  return body;
 }
 
 template Discretisation<1> build<1>(const Scene&, Gradients);

@@ -181,8 +181,8 @@ void check_patch(const Patch<D>& patch, const Condition& condition, const Bounda
 }  // namespace
 
 template <int D>
-void add_conditions(const Scene& scene, Discretisation<D>& disc) {
-  const Particles<D>& particles = disc.particles;
+void add_conditions(const Scene& scene, Discretisation<D>& body) {
+  const Particles<D>& particles = body.particles;
   ConstraintList<D> constraints(particles);
   std::set<std::pair<std::string, int>> booked;  // reactions of these patches and components
   for (const BoundaryScene& boundary : scene.boundaries) {
@@ -194,24 +194,24 @@ void add_conditions(const Scene& scene, Discretisation<D>& disc) {
     for (const Condition& condition : conditions_on<D>(patch, boundary)) {
       check_patch<D>(patch, condition, boundary);
       if (condition.kind == Condition::Kind::loaded) {
-        disc.loads.push_back(load_of<D>(patch, condition));
+        body.loads.push_back(load_of<D>(patch, condition));
         continue;
       }
       constraints.add(patch, condition, boundary);
       const int i = condition.component;
-      if (!disc.adjoint && condition.kind == Condition::Kind::fixed &&
+      if (!body.adjoint && condition.kind == Condition::Kind::fixed &&
           booked.insert({boundary.where, i}).second)
-        std::ranges::copy(reaction_terms<D>(patch, i), std::back_inserter(disc.reactions));
+        std::ranges::copy(reaction_terms<D>(patch, i), std::back_inserter(body.reactions));
     }
   }
-  disc.constraints = constraints.finish();
+  body.constraints = constraints.finish();
   for (std::size_t a = 0; a < scene.body_force.size(); ++a)
-    disc.body_force[static_cast<Index>(a)] = scene.body_force[a];
+    body.body_force[static_cast<Index>(a)] = scene.body_force[a];
 
-  disc.inverse_mass = disc.mass.cwiseInverse().replicate(1, D);
-  for (const auto* still : {&disc.constraints.fixed, &disc.constraints.held})
-    for (const Index dof : *still) disc.inverse_mass.data()[dof] = 0.0;
-  for (const auto& motion : disc.constraints.moved) disc.inverse_mass.data()[motion.dof] = 0.0;
+  body.inverse_mass = body.mass.cwiseInverse().replicate(1, D);
+  for (const auto* still : {&body.constraints.fixed, &body.constraints.held})
+    for (const Index dof : *still) body.inverse_mass.data()[dof] = 0.0;
+  for (const auto& motion : body.constraints.moved) body.inverse_mass.data()[motion.dof] = 0.0;
 }
 
 template void add_conditions<1>(const Scene&, Discretisation<1>&);

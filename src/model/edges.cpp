@@ -17,13 +17,13 @@ constexpr std::array<std::array<std::string_view, 2>, 2> edge_names = {
 /// The strain of the load must exist at all times; a coarse walk along the curve finds out before
 /// the run does.
 template <int D>
-void refuse_unreachable(const Scene& scene, const Discretisation<D>& disc, const Curve& load,
+void refuse_unreachable(const Scene& scene, const Discretisation<D>& body, const Curve& load,
                         const BoundaryScene& boundary) {
   constexpr int samples = 256;
   for (int k = 0; k <= samples; ++k) {
     const double pressure = value(load, scene.time.end * k / samples);
     try {
-      for (const Region<D>& region : disc.regions) (void)uniaxial_gradient<D>(region.law, pressure);
+      for (const Region<D>& region : body.regions) (void)uniaxial_gradient<D>(region.law, pressure);
     } catch (const InputError& error) {
       throw InputError(boundary.place, fmt::format("traction: {}", error.what()));
     }
@@ -32,13 +32,13 @@ void refuse_unreachable(const Scene& scene, const Discretisation<D>& disc, const
 
 /// Reads one edge; `b` is its normal direction.
 template <int D>
-Edge<D> read_edge(const Scene& scene, std::string_view name, int b, Discretisation<D>& disc) {
+Edge<D> read_edge(const Scene& scene, std::string_view name, int b, Discretisation<D>& body) {
   Edge<D> edge;
   const auto signal = [&](const Curve& curve, Signal::Kind kind) {
-    const Index node = disc.particles.find(std::string(name))->nodes.front();
-    const Vector<D> at = disc.particles.X.row(node).transpose();
-    disc.signals.push_back({curve, kind, material_at<D>(scene, at, 1e-9 * disc.particles.spacing)});
-    return disc.signals.size() - 1;
+    const Index node = body.particles.find(std::string(name))->nodes.front();
+    const Vector<D> at = body.particles.X.row(node).transpose();
+    body.signals.push_back({curve, kind, material_at<D>(scene, at, 1e-9 * body.particles.spacing)});
+    return body.signals.size() - 1;
   };
   const double outward = name == edge_names[static_cast<std::size_t>(b)][0] ? -1.0 : 1.0;
   for (const BoundaryScene& boundary : scene.boundaries) {
@@ -54,7 +54,7 @@ Edge<D> read_edge(const Scene& scene, std::string_view name, int b, Discretisati
           break;
         case Condition::Kind::loaded: {
           const Curve load = tension(condition, outward);
-          refuse_unreachable<D>(scene, disc, load, boundary);
+          refuse_unreachable<D>(scene, body, load, boundary);
           edge.traction = signal(load, Signal::Kind::value);
           edge.gradient = signal(load, Signal::Kind::uniaxial_gradient);
           break;
@@ -93,12 +93,12 @@ void refuse_tangential_strain(const Scene& scene, const Edges<2>& edges) {
 }  // namespace
 
 template <int D>
-Edges<D> build_edges(const Scene& scene, Discretisation<D>& disc) {
+Edges<D> build_edges(const Scene& scene, Discretisation<D>& body) {
   Edges<D> edges;
   for (int b = 0; b < D; ++b)
     for (std::size_t side = 0; side < 2; ++side)
       edges[static_cast<std::size_t>(b)][side] =
-          read_edge<D>(scene, edge_names[static_cast<std::size_t>(b)][side], b, disc);
+          read_edge<D>(scene, edge_names[static_cast<std::size_t>(b)][side], b, body);
   if constexpr (D == 2) refuse_tangential_strain(scene, edges);
   return edges;
 }

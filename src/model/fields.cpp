@@ -73,19 +73,19 @@ constexpr double negligible = 1e-6;
 
 /// Largest entry at a degree of freedom that is free to follow it, and its node.
 template <int D>
-std::pair<double, Index> largest_free(const Discretisation<D>& disc, const VectorField<D>& force) {
+std::pair<double, Index> largest_free(const Discretisation<D>& body, const VectorField<D>& force) {
   std::pair<double, Index> largest{0.0, 0};
   for (Index dof = 0; dof < force.size(); ++dof)
-    if (disc.inverse_mass.data()[dof] != 0.0 && std::abs(force.data()[dof]) > largest.first)
+    if (body.inverse_mass.data()[dof] != 0.0 && std::abs(force.data()[dof]) > largest.first)
       largest = {std::abs(force.data()[dof]), dof / D};
   return largest;
 }
 
 /// What the loads leave of P₀ N at the boundary, as a force on each node.
 template <int D>
-VectorField<D> boundary_residual(const Discretisation<D>& disc, const Tensor<D>& P0) {
-  VectorField<D> residual = -disc.particles.B * P0.transpose();
-  for (const Load& load : disc.loads) {
+VectorField<D> boundary_residual(const Discretisation<D>& body, const Tensor<D>& P0) {
+  VectorField<D> residual = -body.particles.B * P0.transpose();
+  for (const Load& load : body.loads) {
     const double pressure = value(load.curve, 0.0);
     for (std::size_t k = 0; k < load.dof.size(); ++k)
       residual.data()[load.dof[k]] += pressure * load.weight[k];
@@ -98,31 +98,31 @@ VectorField<D> boundary_residual(const Discretisation<D>& disc, const Tensor<D>&
 /// divergence theorem, and what a run would show is the energy of that. `displacement` is the
 /// initial one of the whole body, before any region of it.
 template <int D>
-void refuse_imbalance(const Scene& scene, const Discretisation<D>& disc,
+void refuse_imbalance(const Scene& scene, const Discretisation<D>& body,
                       const VectorField<D>& displacement) {
   const InitialField& field = scene.displacement;
-  if (field.kind != InitialField::Kind::linear || field.gradient.empty() || !disc.adjoint ||
-      disc.regions.size() > 1 || disc.has_body_force())
+  if (field.kind != InitialField::Kind::linear || field.gradient.empty() || !body.adjoint ||
+      body.regions.size() > 1 || body.has_body_force())
     return;
   Tensor<D> H0;
   for (int i = 0; i < D; ++i)
     for (int a = 0; a < D; ++a)
       H0(i, a) = field.gradient[static_cast<std::size_t>(i)][static_cast<std::size_t>(a)];
-  const Tensor<D> P0 = pk1<D>(disc.regions.front().law, H0);
-  const double scale = P0.norm() * std::pow(disc.spacing, D - 1);
+  const Tensor<D> P0 = pk1<D>(body.regions.front().law, H0);
+  const double scale = P0.norm() * std::pow(body.spacing, D - 1);
   if (!(scale > 0.0)) return;
 
-  State<D> state = make_state<D>(disc, displacement, VectorField<D>::Zero(disc.nodes(), D));
+  State<D> state = make_state<D>(body, displacement, VectorField<D>::Zero(body.nodes(), D));
   // Supports that start elsewhere, or boundaries whose stress nothing balances, are meant to move.
-  if ((state.u - displacement).cwiseAbs().maxCoeff() > 1e-9 * H0.norm() * disc.spacing) return;
-  if (largest_free<D>(disc, boundary_residual<D>(disc, P0)).first > negligible * scale) return;
+  if ((state.u - displacement).cwiseAbs().maxCoeff() > 1e-9 * H0.norm() * body.spacing) return;
+  if (largest_free<D>(body, boundary_residual<D>(body, P0)).first > negligible * scale) return;
 
-  evaluate<D>(disc, state);
-  const auto [force, node] = largest_free<D>(disc, state.f);
+  evaluate<D>(body, state);
+  const auto [force, node] = largest_free<D>(body, state.f);
   if (force <= negligible * scale) return;
   std::string at;
   for (int a = 0; a < D; ++a)
-    at += fmt::format("{}{:.6g}", a == 0 ? "" : ", ", disc.particles.X(node, a));
+    at += fmt::format("{}{:.6g}", a == 0 ? "" : ", ", body.particles.X(node, a));
   throw InputError(
       field.place,
       fmt::format("a body stretched like this and held or loaded at its boundary is in "
@@ -161,15 +161,15 @@ void start_regions(const Scene& scene, const Particles<D>& particles, InitialSta
 }
 
 template <int D>
-ExactSolution<D> bar_wave_of(const Scene& scene, const Discretisation<D>& disc) {
+ExactSolution<D> bar_wave_of(const Scene& scene, const Discretisation<D>& body) {
   const Box<D> box = body_box<D>(scene);
-  const Tangent<D> A = tangent<D>(disc.regions.front().law, Tensor<D>::Zero());
+  const Tangent<D> A = tangent<D>(body.regions.front().law, Tensor<D>::Zero());
   BarWave bar;
   bar.lower = box.lower[0];
   bar.length = box.upper[0] - box.lower[0];
   bar.modulus = A(0, 0);
   if constexpr (D == 2) bar.lateral_modulus = A(3, 0);
-  bar.density = disc.regions.front().density;
+  bar.density = body.regions.front().density;
   const PatchConditions left(scene, "left"), right(scene, "right");
   const Condition* pull = left.find(Kind::loaded, 0);  // the rules of a scene leave one of the two
   const bool lower = pull != nullptr;
@@ -182,7 +182,7 @@ ExactSolution<D> bar_wave_of(const Scene& scene, const Discretisation<D>& disc) 
 }
 
 template <int D>
-ExactSolution<D> uniform_stretch_of(const Scene& scene, const Discretisation<D>& disc) {
+ExactSolution<D> uniform_stretch_of(const Scene& scene, const Discretisation<D>& body) {
   const Box<D> box = body_box<D>(scene);
   const double length = box.upper[0] - box.lower[0];
   const PatchConditions left(scene, "left"), right(scene, "right");
@@ -191,27 +191,27 @@ ExactSolution<D> uniform_stretch_of(const Scene& scene, const Discretisation<D>&
   if (!upper) moved = left.find(Kind::moved, 0);
   return uniform_stretch<D>(
       {upper ? box.lower[0] : box.upper[0], upper ? length : -length, *moved->curve},
-      disc.regions.front().law);
+      body.regions.front().law);
 }
 
 }  // namespace
 
 template <int D>
-InitialState<D> build_initial(const Scene& scene, const Discretisation<D>& disc) {
-  InitialState<D> initial{initial_field<D>(scene, scene.displacement, disc.particles),
-                          initial_field<D>(scene, scene.velocity, disc.particles)};
-  refuse_imbalance<D>(scene, disc, initial.displacement);
-  start_regions<D>(scene, disc.particles, initial);
+InitialState<D> build_initial(const Scene& scene, const Discretisation<D>& body) {
+  InitialState<D> initial{initial_field<D>(scene, scene.displacement, body.particles),
+                          initial_field<D>(scene, scene.velocity, body.particles)};
+  refuse_imbalance<D>(scene, body, initial.displacement);
+  start_regions<D>(scene, body.particles, initial);
   return initial;
 }
 
 template <int D>
-ExactSolution<D> build_exact(const Scene& scene, const Discretisation<D>& disc) {
+ExactSolution<D> build_exact(const Scene& scene, const Discretisation<D>& body) {
   switch (scene.exact) {
     case ExactKind::none:
       break;
     case ExactKind::bar_wave:
-      return bar_wave_of<D>(scene, disc);
+      return bar_wave_of<D>(scene, body);
     case ExactKind::swinging_plate:
       if constexpr (D == 2) {
         if (scene.displacement.kind != InitialField::Kind::swinging_plate)
@@ -222,7 +222,7 @@ ExactSolution<D> build_exact(const Scene& scene, const Discretisation<D>& disc) 
       }
       break;
     case ExactKind::uniform_stretch:
-      return uniform_stretch_of<D>(scene, disc);
+      return uniform_stretch_of<D>(scene, body);
   }
   return {};
 }

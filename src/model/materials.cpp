@@ -56,14 +56,14 @@ std::size_t material_at(const Scene& scene, const Vector<D>& X, double tolerance
 }
 
 template <int D>
-void add_materials(const Scene& scene, Discretisation<D>& disc) {
-  const double tolerance = 1e-9 * disc.particles.spacing;
+void add_materials(const Scene& scene, Discretisation<D>& body) {
+  const double tolerance = 1e-9 * body.particles.spacing;
   std::vector<std::vector<int>> members(scene.materials.size());
-  for (Index s = 0; s < disc.points.size(); ++s) {
-    const Vector<D> at = disc.points.X.row(s).transpose();
+  for (Index s = 0; s < body.points.size(); ++s) {
+    const Vector<D> at = body.points.X.row(s).transpose();
     members[material_at<D>(scene, at, tolerance)].push_back(static_cast<int>(s));
   }
-  ScalarField density(disc.points.size());
+  ScalarField density(body.points.size());
   for (std::size_t k = 0; k < scene.materials.size(); ++k) {
     const MaterialScene& material = scene.materials[k];
     if (members[k].empty())
@@ -74,14 +74,14 @@ void add_materials(const Scene& scene, Discretisation<D>& disc) {
     Region<D> region{
         make_law<D>(material.law, material.assumption, material.constants), material.density, {}};
     if (scene.materials.size() > 1) region.points = std::move(members[k]);
-    disc.regions.push_back(std::move(region));
+    body.regions.push_back(std::move(region));
   }
   if (is_collocated(scene.formulation))
-    disc.mass = density.cwiseProduct(disc.particles.V);
+    body.mass = density.cwiseProduct(body.particles.V);
   else
-    disc.mass = scene.materials.size() == 1
-                    ? ScalarField(scene.materials[0].density * disc.particles.V)
-                    : masses_by_cell<D>(scene, disc.particles, disc.points);
+    body.mass = scene.materials.size() == 1
+                    ? ScalarField(scene.materials[0].density * body.particles.V)
+                    : masses_by_cell<D>(scene, body.particles, body.points);
 }
 
 template std::size_t material_at<1>(const Scene&, const Vector<1>&, double);

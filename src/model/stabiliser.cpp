@@ -42,15 +42,15 @@ double automatic(const Scene& scene) {
 }
 
 template <int D>
-ScalarField strengths(const Scene& scene, const Discretisation<D>& disc, const VectorField<D>& at) {
+ScalarField strengths(const Scene& scene, const Discretisation<D>& body, const VectorField<D>& at) {
   const double coefficient = scene.stabiliser.coefficient.value_or(automatic(scene));
   std::vector<double> units;
   for (const MaterialScene& material : scene.materials)
-    units.push_back(unit(scene, material, disc.spacing));
+    units.push_back(unit(scene, material, body.spacing));
   ScalarField result(at.rows());
   for (Index s = 0; s < at.rows(); ++s) {
     const Vector<D> x = at.row(s).transpose();
-    const std::size_t material = material_at<D>(scene, x, 1e-9 * disc.spacing);
+    const std::size_t material = material_at<D>(scene, x, 1e-9 * body.spacing);
     result[s] = coefficient * units[material];
   }
   return result;
@@ -59,26 +59,26 @@ ScalarField strengths(const Scene& scene, const Discretisation<D>& disc, const V
 }  // namespace
 
 template <int D>
-void add_stabiliser(const Scene& scene, Discretisation<D>& disc) {
+void add_stabiliser(const Scene& scene, Discretisation<D>& body) {
   const StabiliserScene& stabiliser = scene.stabiliser;
   if (stabiliser.kind == StabiliserKind::none) return;
   SparseMatrix S;
   if (stabiliser.kind == StabiliserKind::cell) {
     if constexpr (D == 2) {
-      ScalarField modulus = strengths<2>(scene, disc, disc.points.X);
+      ScalarField modulus = strengths<2>(scene, body, body.points.X);
       if (stabiliser.action == StabiliserAction::stiffness) {
-        disc.hourglass = {hourglass_weights(disc.particles, disc.gradient), std::move(modulus)};
+        body.hourglass = {hourglass_weights(body.particles, body.gradient), std::move(modulus)};
         return;
       }
-      S = normal_matrix(hourglass_rows(disc.particles, disc.gradient), modulus);
+      S = normal_matrix(hourglass_rows(body.particles, body.gradient), modulus);
     }
   } else {
     const auto narrow =
-        pair_gradient<D>(disc.particles.X, disc.particles.V, disc.spacing, scene.kernel.order);
-    S = pair_stabiliser<D>(narrow, disc.particles.X, disc.particles.V, disc.spacing,
-                           strengths<D>(scene, disc, disc.particles.X));
+        pair_gradient<D>(body.particles.X, body.particles.V, body.spacing, scene.kernel.order);
+    S = pair_stabiliser<D>(narrow, body.particles.X, body.particles.V, body.spacing,
+                           strengths<D>(scene, body, body.particles.X));
   }
-  (stabiliser.action == StabiliserAction::stiffness ? disc.stiffness : disc.viscosity) =
+  (stabiliser.action == StabiliserAction::stiffness ? body.stiffness : body.viscosity) =
       std::move(S);
 }
 

@@ -24,22 +24,22 @@ struct Distance {
 
 template <int D>
 RelativeErrors errors_against(const ExactSolution<D>& exact, const Instant<D>& now) {
-  const Discretisation<D>& disc = now.body;
+  const Discretisation<D>& body = now.body;
   const double t = now.time();
   Distance displacement;
   Distance velocity;
   Distance stress;
-  for (Index q = 0; q < disc.nodes(); ++q) {
-    const Vector<D> X = disc.particles.X.row(q).transpose();
+  for (Index q = 0; q < body.nodes(); ++q) {
+    const Vector<D> X = body.particles.X.row(q).transpose();
     const Vector<D> u = now.u().row(q).transpose();
     Vector<D> v;
     for (int i = 0; i < D; ++i) v[i] = now.motion(q * D + i).velocity;
-    displacement.add(disc.particles.V[q], u, exact.displacement(X, t));
-    velocity.add(disc.particles.V[q], v, exact.velocity(X, t));
+    displacement.add(body.particles.V[q], u, exact.displacement(X, t));
+    velocity.add(body.particles.V[q], v, exact.velocity(X, t));
   }
-  for (Index s = 0; s < disc.points.size(); ++s) {
-    const Vector<D> X = disc.points.X.row(s).transpose();
-    stress.add(disc.points.V[s], tensor_at<D>(now.P(), s), exact.stress(X, t));
+  for (Index s = 0; s < body.points.size(); ++s) {
+    const Vector<D> X = body.points.X.row(s).transpose();
+    stress.add(body.points.V[s], tensor_at<D>(now.P(), s), exact.stress(X, t));
   }
   return {displacement.relative(), velocity.relative(), stress.relative()};
 }

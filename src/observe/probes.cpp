@@ -31,21 +31,21 @@ StressMeasures<D> measures_at(const Region<D>& region, const State<D>& state, co
 }  // namespace
 
 template <int D>
-Probes<D>::Probes(const Discretisation<D>& disc, const std::vector<ProbeRequest<D>>& requests) {
+Probes<D>::Probes(const Discretisation<D>& body, const std::vector<ProbeRequest<D>>& requests) {
   for (const ProbeRequest<D>& request : requests) {
     Probe probe;
     probe.name = request.name;
     probe.at = request.at;
     try {
-      probe.nodes = linear_interpolation<D>(disc.particles.X, request.at, disc.spacing);
-      probe.points = linear_interpolation<D>(disc.points.X, request.at, disc.spacing);
+      probe.nodes = linear_interpolation<D>(body.particles.X, request.at, body.spacing);
+      probe.points = linear_interpolation<D>(body.points.X, request.at, body.spacing);
     } catch (const InputError& error) {
       throw InputError(request.place, error.what());
     }
     const auto heaviest = std::max_element(probe.points.weight.begin(), probe.points.weight.end());
     probe.nearest =
         probe.points.node[static_cast<std::size_t>(heaviest - probe.points.weight.begin())];
-    probe.region = region_of<D>(disc, probe.nearest);
+    probe.region = region_of<D>(body, probe.nearest);
     for (const std::string& name : request.quantities) {
       const Quantity<D>* const quantity = find_quantity<D>(name);
       if (quantity == nullptr)

@@ -102,16 +102,16 @@ const Table<OutputScene>& output_keys() {
   static const Table<OutputScene> keys = {
       "output",
       {
-          key(&OutputScene::frames, "frames", "", at_least(0.0),
+          key(&OutputScene::frames, "frames", "", not_below(0.0),
               "full fields after the initial one"),
           key(&OutputScene::fields, "fields", "", quantities_named(), "what a frame holds"),
-          key(&OutputScene::probe_every, "probe_every", "steps", at_least(1.0),
+          key(&OutputScene::probe_every, "probe_every", "steps", not_below(1.0),
               "between rows of probes.csv"),
-          key(&OutputScene::energy_every, "energy_every", "steps", at_least(0.0),
+          key(&OutputScene::energy_every, "energy_every", "steps", not_below(0.0),
               "between rows of the energy ledger; 0: about 200 rows, at least 50 steps apart"),
           key(&OutputScene::checkpoint, "checkpoint", "s", above(0.0),
               "wall time between checkpoints"),
-          key(&OutputScene::checkpoint_steps, "checkpoint_steps", "steps", at_least(0.0),
+          key(&OutputScene::checkpoint_steps, "checkpoint_steps", "steps", not_below(0.0),
               "steps between checkpoints; 0: by wall time only"),
       },
       check_output};

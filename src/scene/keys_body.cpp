@@ -98,7 +98,7 @@ const Table<BodyScene>& body_keys() {
               "(true for " + adjoint_formulations() + ", on-boundary, 2D)", may_fit),
           key(&BodyScene::jitter, "jitter", "spacings", closed(0.0, 0.4),
               "largest random shift of interior nodes"),
-          key(&BodyScene::seed, "seed", "", at_least(0.0), "of the random shifts"),
+          key(&BodyScene::seed, "seed", "", not_below(0.0), "of the random shifts"),
           list_key(&BodyScene::tags, tag_keys(), "tags",
                    "names for parts of the body, beside those that boundary.where lists"),
       },

@@ -102,7 +102,7 @@ const Table<KernelScene>& kernel_keys() {
       {
           key(&KernelScene::family, "family", "", Allowed(kernel_words()), "shape of the kernel",
               "(wendland-c2; thesis and mirror: modified-mollifier)", standard_family),
-          key(&KernelScene::support, "support", "spacings", at_least(1.0),
+          key(&KernelScene::support, "support", "spacings", not_below(1.0),
               "full radius of the kernel; the least-squares fit of a point whose nodes within it "
               "do not determine its polynomial takes a larger one, up to 2.5 times",
               "(2.5; consistent: 3.6, with linear gradients 2.6, in 1D 3.1; stress-point: the "
@@ -129,7 +129,7 @@ const Table<StabiliserScene>& stabiliser_keys() {
               "(consistent: pair; 2D: cell for stress-point on its cells, pair for variational; "
               "else none)",
               standard_stabiliser),
-          key(&StabiliserScene::coefficient, "coefficient", "", at_least(0.0),
+          key(&StabiliserScene::coefficient, "coefficient", "", not_below(0.0),
               "strength as a share of the shear modulus (cell: of E/(1 - nu^2)), as viscosity of "
               "density times speed of shear waves times spacing; auto: the value recommended for "
               "the kind")

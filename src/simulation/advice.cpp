@@ -63,9 +63,9 @@ bool is_stress(const std::string& quantity) {
 }
 
 template <int D>
-double bytes_of(const std::string& name, const Discretisation<D>& disc) {
+double bytes_of(const std::string& name, const Discretisation<D>& body) {
   const Quantity<D>& quantity = quantity_named<D>(name);
-  const Index rows = quantity.site == Site::particles ? disc.nodes() : disc.points.size();
+  const Index rows = quantity.site == Site::particles ? body.nodes() : body.points.size();
   return 8.0 * static_cast<double>(component_count(quantity.rank, D)) * static_cast<double>(rows);
 }
 
@@ -79,20 +79,20 @@ bool is_read(const Scene& scene) {
 }  // namespace
 
 template <int D>
-double frame_bytes(const Scene& scene, const Discretisation<D>& disc) {
+double frame_bytes(const Scene& scene, const Discretisation<D>& body) {
   double frame = 0.0;
-  for (const std::string& field : scene.output.fields) frame += bytes_of<D>(field, disc);
+  for (const std::string& field : scene.output.fields) frame += bytes_of<D>(field, body);
   return frame;
 }
 
 template <int D>
-std::string advise_output(const Scene& scene, const Discretisation<D>& disc, double steps) {
+std::string advise_output(const Scene& scene, const Discretisation<D>& body, double steps) {
   if (scene.output.frames == 0) return "";
-  const double frame = frame_bytes<D>(scene, disc);
+  const double frame = frame_bytes<D>(scene, body);
   double stress = 0.0;
   std::vector<std::string> others;
   for (const std::string& field : scene.output.fields) {
-    const double bytes = bytes_of<D>(field, disc);
+    const double bytes = bytes_of<D>(field, body);
     if (is_stress(field))
       stress += bytes;
     else
@@ -101,7 +101,7 @@ std::string advise_output(const Scene& scene, const Discretisation<D>& disc, dou
   const double frames = scene.output.frames + 1.0;
   std::string text;
   const Index entries =
-      disc.ghosts ? disc.ghosts->plain_gradient().nonzeros() : disc.gradient.nonzeros();
+      body.ghosts ? body.ghosts->plain_gradient().nonzeros() : body.gradient.nonzeros();
   const double stepping = steps * static_cast<double>(entries) * seconds_per_entry;
   const double writing = frames * (seconds_per_frame + frame * seconds_per_byte);
   if (steps > 0.0 && writing > worth_seconds && writing > time_share * stepping)
@@ -130,16 +130,16 @@ constexpr double worth_share = 0.9;
 constexpr Index many = 200000;
 
 template <int D>
-double entries_per_row(const Discretisation<D>& disc) {
-  const VectorOperator<D>& G = disc.ghosts ? disc.ghosts->plain_gradient() : disc.gradient;
+double entries_per_row(const Discretisation<D>& body) {
+  const VectorOperator<D>& G = body.ghosts ? body.ghosts->plain_gradient() : body.gradient;
   return static_cast<double>(G.nonzeros()) / static_cast<double>(G.rows());
 }
 
 }  // namespace
 
 template <int D>
-std::string advise_support(const Scene& scene, const Discretisation<D>& disc, double dt) {
-  if (!scene.kernel.support || disc.nodes() > many || !(dt > 0.0)) return "";
+std::string advise_support(const Scene& scene, const Discretisation<D>& body, double dt) {
+  if (!scene.kernel.support || body.nodes() > many || !(dt > 0.0)) return "";
   // The default of a formulation is what its order needs.
   const Scene standard;
   Scene needed = scene;
@@ -157,7 +157,7 @@ std::string advise_support(const Scene& scene, const Discretisation<D>& disc, do
     State<D> state =
         make_state<D>(smaller, std::move(initial.displacement), std::move(initial.velocity));
     evaluate<D>(smaller, state);
-    const double before = entries_per_row(disc);
+    const double before = entries_per_row(body);
     const double after = entries_per_row(smaller);
     const double share = after / before * dt / critical_step<D>(smaller, state).dt;
     if (share > worth_share) return "";

@@ -19,16 +19,16 @@ namespace tlsph {
 /// Frames that take longer than a quarter of the steps; stress in frames that no probe and no exact
 /// solution asks for. `steps` 0: not known.
 template <int D>
-[[nodiscard]] std::string advise_output(const Scene& scene, const Discretisation<D>& disc,
+[[nodiscard]] std::string advise_output(const Scene& scene, const Discretisation<D>& body,
                                         double steps);
 
 /// Bytes of the fields of a frame.
 template <int D>
-[[nodiscard]] double frame_bytes(const Scene& scene, const Discretisation<D>& disc);
+[[nodiscard]] double frame_bytes(const Scene& scene, const Discretisation<D>& body);
 
 /// A support above the one its formulation needs. `dt` is the critical step of the scene [s].
 template <int D>
-[[nodiscard]] std::string advise_support(const Scene& scene, const Discretisation<D>& disc,
+[[nodiscard]] std::string advise_support(const Scene& scene, const Discretisation<D>& body,
                                          double dt);
 
 }  // namespace tlsph

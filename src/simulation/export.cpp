@@ -100,23 +100,23 @@ class Exporter {
 
 /// max |G^a 1| and max |G^a X^b − δ_ab|, both over rows and directions; G in units of 1/Δ.
 template <int D>
-void report_consistency(Exporter& out, const Discretisation<D>& disc) {
+void report_consistency(Exporter& out, const Discretisation<D>& body) {
   double row_sum = 0.0;
   double moment = 0.0;
   double adjointness = 0.0;
   double size = 0.0;
-  const int components = disc.gradient.per_component() ? D : 1;
+  const int components = body.gradient.per_component() ? D : 1;
   for (int i = 0; i < components; ++i)
     for (int a = 0; a < D; ++a) {
-      const SparseMatrix G = disc.gradient.matrix(a, i);
+      const SparseMatrix G = body.gradient.matrix(a, i);
       const ScalarField ones = G * ScalarField::Ones(G.cols());
-      row_sum = std::max(row_sum, ones.cwiseAbs().maxCoeff() * disc.spacing);
+      row_sum = std::max(row_sum, ones.cwiseAbs().maxCoeff() * body.spacing);
       for (int b = 0; b < D; ++b) {
-        const ScalarField linear = G * disc.particles.X.col(b);
+        const ScalarField linear = G * body.particles.X.col(b);
         moment = std::max(moment, (linear.array() - (a == b ? 1.0 : 0.0)).abs().maxCoeff());
       }
-      const SparseMatrix force = disc.divergence.matrix(a, i);
-      const SparseMatrix adjoint = SparseMatrix(G.transpose()) * disc.points.V.asDiagonal();
+      const SparseMatrix force = body.divergence.matrix(a, i);
+      const SparseMatrix adjoint = SparseMatrix(G.transpose()) * body.points.V.asDiagonal();
       adjointness += SparseMatrix(force + adjoint).squaredNorm();
       size += force.squaredNorm();
     }
@@ -142,60 +142,60 @@ void write_vector_operator(Exporter& out, const char* letter, const VectorOperat
 
 template <int D>
 void export_in(const Scene& scene, const std::filesystem::path& directory) {
-  const auto disc = build<D>(scene);
+  const auto body = build<D>(scene);
   may_end_at_once() = false;
   make_output_directory(directory);
-  auto [tags, patches] = patch_tags<D>(disc.particles);
-  VectorField<D> X = disc.particles.X;
-  ScalarField V = disc.particles.V;
-  if (disc.ghosts) {
-    const GhostLattice<D>& lattice = disc.ghosts->lattice();
+  auto [tags, patches] = patch_tags<D>(body.particles);
+  VectorField<D> X = body.particles.X;
+  ScalarField V = body.particles.V;
+  if (body.ghosts) {
+    const GhostLattice<D>& lattice = body.ghosts->lattice();
     X = lattice.X;
-    V = ScalarField::Constant(X.rows(), disc.particles.spacings.prod());
+    V = ScalarField::Constant(X.rows(), body.particles.spacings.prod());
     tags.resize(static_cast<std::size_t>(X.rows()), std::int64_t{1} << 62);
   }
   const CloudView particles{D, flat(X), flat(V), tags, patches};
   // With ghosts, nodes are the material points of the strong form: one cloud, lattice volumes.
   Exporter out(directory, particles,
-               disc.ghosts ? CloudView{D, flat(X), flat(V)}
-                           : CloudView{D, flat(disc.points.X), flat(disc.points.V)});
+               body.ghosts ? CloudView{D, flat(X), flat(V)}
+                           : CloudView{D, flat(body.points.X), flat(body.points.V)});
   out.set("scene", scene.file);
   out.set("version", version());
   out.set("dimension", D);
   out.set("formulation", name_of(scene.formulation));
-  out.set("particles", disc.nodes());
-  out.set("ghosts", disc.ghosts ? disc.ghosts->lattice().ghosts() : Index{0});
-  out.set("points", disc.points.size());
+  out.set("particles", body.nodes());
+  out.set("ghosts", body.ghosts ? body.ghosts->lattice().ghosts() : Index{0});
+  out.set("points", body.points.size());
 
-  if (disc.ghosts) {
-    out.write("W", disc.ghosts->kernel_matrix());
-    write_vector_operator<D>(out, "G", disc.ghosts->plain_gradient());
-    write_vector_operator<D>(out, "D", disc.ghosts->plain_gradient().row_scaled(V));
+  if (body.ghosts) {
+    out.write("W", body.ghosts->kernel_matrix());
+    write_vector_operator<D>(out, "G", body.ghosts->plain_gradient());
+    write_vector_operator<D>(out, "D", body.ghosts->plain_gradient().row_scaled(V));
     // The force operator of the run, the ghosts of the stress eliminated.
-    write_vector_operator<D>(out, "D_folded", disc.divergence);
-    out.report().set("boundary_systems", disc.ghosts->report());
+    write_vector_operator<D>(out, "D_folded", body.divergence);
+    out.report().set("boundary_systems", body.ghosts->report());
   } else {
     if (scene.kernel.support) {
       const auto kernel = kernel_by_name(scene.kernel.family);
-      out.write("W", kernel_matrix<D>(*kernel, *scene.kernel.support * disc.spacing,
-                                      disc.particles.X, disc.particles.V));
+      out.write("W", kernel_matrix<D>(*kernel, *scene.kernel.support * body.spacing,
+                                      body.particles.X, body.particles.V));
     }
-    write_vector_operator<D>(out, "G", disc.gradient);
-    report_consistency<D>(out, disc);
-    write_vector_operator<D>(out, "D", disc.divergence);
+    write_vector_operator<D>(out, "G", body.gradient);
+    report_consistency<D>(out, body);
+    write_vector_operator<D>(out, "D", body.divergence);
   }
-  SparseMatrix mass(disc.nodes(), disc.nodes());
+  SparseMatrix mass(body.nodes(), body.nodes());
   mass.setIdentity();
-  mass.diagonal() = disc.mass;
+  mass.diagonal() = body.mass;
   out.write("M", mass);
-  if (has_stabiliser(disc)) out.write("S", stabiliser_matrix<D>(disc));
-  if (disc.viscosity.nonZeros() > 0) out.write("C", disc.viscosity);
+  if (has_stabiliser(body)) out.write("S", stabiliser_matrix<D>(body));
+  if (body.viscosity.nonZeros() > 0) out.write("C", body.viscosity);
 
-  InitialState<D> initial = build_initial<D>(scene, disc);
+  InitialState<D> initial = build_initial<D>(scene, body);
   State<D> state =
-      make_state<D>(disc, std::move(initial.displacement), std::move(initial.velocity));
-  evaluate<D>(disc, state);
-  const CriticalStep critical = critical_step<D>(disc, state);
+      make_state<D>(body, std::move(initial.displacement), std::move(initial.velocity));
+  evaluate<D>(body, state);
+  const CriticalStep critical = critical_step<D>(body, state);
   out.set("spectrum.dt_critical", critical.dt);
   out.set("spectrum.dt_critical_scaled", critical.scaled);
   out.set("spectrum.largest_angular_frequency", 2.0 / critical.dt);

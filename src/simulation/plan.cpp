@@ -39,9 +39,9 @@ struct CorrectionCost {
 template <int D>
 std::optional<CorrectionCost> correction_cost(const Scene& scene) {
   if (!scene.consistency) return std::nullopt;
-  const Discretisation<D> disc = build<D>(scene, Gradients::fitted);
+  const Discretisation<D> body = build<D>(scene, Gradients::fitted);
   CorrectionCost cost;
-  cost.factor = consistency_cost<D>(disc.gradient, disc.points, disc.particles,
+  cost.factor = consistency_cost<D>(body.gradient, body.points, body.particles,
                                     {scene.consistency->rows, scene.consistency->columns});
   cost.seconds = D * (cost.factor.flops / factorisation_speed() +
                       passes * 8.0 * cost.factor.entries / bandwidth);
@@ -64,13 +64,13 @@ struct Steps {
 };
 
 template <int D>
-Steps steps_of(const Scene& scene, const Discretisation<D>& disc, State<D>& state) {
-  InitialState<D> initial = build_initial<D>(scene, disc);
-  (void)build_exact<D>(scene, disc);
-  const std::vector<std::string> warnings = start_jumps<D>(scene, disc, initial);
-  state = make_state<D>(disc, std::move(initial.displacement), std::move(initial.velocity));
-  evaluate<D>(disc, state);
-  const CriticalStep critical = critical_step<D>(disc, state);
+Steps steps_of(const Scene& scene, const Discretisation<D>& body, State<D>& state) {
+  InitialState<D> initial = build_initial<D>(scene, body);
+  (void)build_exact<D>(scene, body);
+  const std::vector<std::string> warnings = start_jumps<D>(scene, body, initial);
+  state = make_state<D>(body, std::move(initial.displacement), std::move(initial.velocity));
+  evaluate<D>(body, state);
+  const CriticalStep critical = critical_step<D>(body, state);
   const double dt = checked_step(scene, critical);
   Steps steps{"", critical.dt, std::ceil(scene.time.end / dt)};
   steps.text = fmt::format(
@@ -80,7 +80,7 @@ Steps steps_of(const Scene& scene, const Discretisation<D>& disc, State<D>& stat
   for (const std::string& warning : warnings) steps.text += fmt::format("warning: {}\n", warning);
   if (critical.growth)
     steps.text += fmt::format("largest growth rate of a free motion {:.2e} c_p/spacing\n",
-                              *critical.growth * disc.spacing / disc.wave_speed());
+                              *critical.growth * body.spacing / body.wave_speed());
   return steps;
 }
 
@@ -90,18 +90,18 @@ constexpr double output_libraries = 7.5e6;
 /// The most that is resident in a run [bytes]. Its set-up was made here, in the same order, and is
 /// measured; steps and output come to that.
 template <int D>
-double run_bytes(const Scene& scene, const Discretisation<D>& disc,
+double run_bytes(const Scene& scene, const Discretisation<D>& body,
                  const std::optional<CorrectionCost>& missing) {
   const double setup = memory_status("VmHWM:");
   const double now = memory_status("VmRSS:");
   if (missing) return std::max(setup, now + missing->factor.bytes);
-  const auto nodes = static_cast<double>(disc.nodes());
-  const auto points = static_cast<double>(disc.points.size());
-  const double follower = scene.time.step || disc.linear() ? 0.0 : 2.0 * 4.0 * D * D * points;
+  const auto nodes = static_cast<double>(body.nodes());
+  const auto points = static_cast<double>(body.points.size());
+  const double follower = scene.time.step || body.linear() ? 0.0 : 2.0 * 4.0 * D * D * points;
   // Tags, cells and positions of the nodes in space, when run.h5 is made; later a frame.
   const double start = nodes * (8.0 + 8.0 * 3.0 + 4.0) + points * 4.0 * (1 << D);
   return std::max(setup,
-                  now + output_libraries + follower + std::max(start, frame_bytes<D>(scene, disc)));
+                  now + output_libraries + follower + std::max(start, frame_bytes<D>(scene, body)));
 }
 
 /// What a named box holds.
@@ -120,76 +120,76 @@ std::string plan_in(const Scene& scene) {
   forget_peak_memory();
   const std::optional<CorrectionCost> correction = correction_cost<D>(scene);
   const bool patient = !correction || correction->seconds <= longest_correction;
-  const Discretisation<D> disc =
+  const Discretisation<D> body =
       build<D>(scene, patient ? Gradients::corrected : Gradients::fitted);
 
   State<D> state;
   Steps steps{"time step: known once the gradient is corrected, in a run\n"};
-  if (patient) steps = steps_of<D>(scene, disc, state);
+  if (patient) steps = steps_of<D>(scene, body, state);
 
   std::string text;
   if (!scene.title.empty()) text += scene.title + "\n";
   text += fmt::format(
       "{} in {}D: {} particles{}, {} material points, spacing {:.4g} m{}\n",
-      name_of(scene.formulation), D, disc.nodes(),
-      disc.ghosts ? fmt::format(" and {} ghosts", disc.ghosts->lattice().ghosts()) : std::string(),
-      disc.points.size(), disc.spacing,
+      name_of(scene.formulation), D, body.nodes(),
+      body.ghosts ? fmt::format(" and {} ghosts", body.ghosts->lattice().ghosts()) : std::string(),
+      body.points.size(), body.spacing,
       scene.body.spacing > 0.0 ? "" : ", estimated from the points");
   text += scene.kernel.support ? fmt::format("kernel {}, support {} spacings\n",
                                              scene.kernel.family.get(), *scene.kernel.support)
-                               : std::string(disc.particles.triangles.empty()
+                               : std::string(body.particles.triangles.empty()
                                                  ? "gradients from the nodes of each cell\n"
                                                  : "gradients from the triangles beside each "
                                                    "edge\n");
   if (!scene.body.cloud.empty()) text += fmt::format("points of {}\n", scene.body.cloud);
-  if (!disc.particles.triangles.empty())
-    text += fmt::format("triangles between them: {}\n", disc.particles.triangles.size());
+  if (!body.particles.triangles.empty())
+    text += fmt::format("triangles between them: {}\n", body.particles.triangles.size());
   text += "operators\n";
-  const VectorOperator<D>& G = disc.ghosts ? disc.ghosts->plain_gradient() : disc.gradient;
+  const VectorOperator<D>& G = body.ghosts ? body.ghosts->plain_gradient() : body.gradient;
   text += operator_line("G", G.rows(), G.cols(), G.nonzeros(),
                         D == 1 ? "gradient" : "gradient, all directions together");
-  text += operator_line("D", disc.divergence.rows(), disc.divergence.cols(),
-                        disc.divergence.nonzeros(), disc.adjoint ? "force, -G'V" : "force, V X");
-  if (!disc.hourglass.empty())
-    text += operator_line("A", disc.gradient.rows(), disc.gradient.cols(),
-                          static_cast<Index>(disc.hourglass.weights.size()),
+  text += operator_line("D", body.divergence.rows(), body.divergence.cols(),
+                        body.divergence.nonzeros(), body.adjoint ? "force, -G'V" : "force, V X");
+  if (!body.hourglass.empty())
+    text += operator_line("A", body.gradient.rows(), body.gradient.cols(),
+                          static_cast<Index>(body.hourglass.weights.size()),
                           "stabiliser, as stiffness A'KA");
-  if (disc.stiffness.nonZeros() > 0)
-    text += operator_line("S", disc.stiffness.rows(), disc.stiffness.cols(),
-                          disc.stiffness.nonZeros(), "stabiliser, as stiffness");
-  if (disc.viscosity.nonZeros() > 0)
-    text += operator_line("C", disc.viscosity.rows(), disc.viscosity.cols(),
-                          disc.viscosity.nonZeros(), "stabiliser, as viscosity");
-  if (disc.ghosts) {
-    const SparseMatrix& W = disc.ghosts->kernel_matrix();
+  if (body.stiffness.nonZeros() > 0)
+    text += operator_line("S", body.stiffness.rows(), body.stiffness.cols(),
+                          body.stiffness.nonZeros(), "stabiliser, as stiffness");
+  if (body.viscosity.nonZeros() > 0)
+    text += operator_line("C", body.viscosity.rows(), body.viscosity.cols(),
+                          body.viscosity.nonZeros(), "stabiliser, as viscosity");
+  if (body.ghosts) {
+    const SparseMatrix& W = body.ghosts->kernel_matrix();
     text += operator_line("W", W.rows(), W.cols(), W.nonZeros(), "kernel, with ghosts");
-    for (const std::string& line : disc.ghosts->report()) text += "  " + line + "\n";
+    for (const std::string& line : body.ghosts->report()) text += "  " + line + "\n";
   }
-  if (Sweep<D>::possible(disc)) {
-    const Sweep<D> sweep(disc);
+  if (Sweep<D>::possible(body)) {
+    const Sweep<D> sweep(body);
     const StorageReport storage = sweep.storage();
     text += fmt::format(
         "storage: {} rows in {} stencils, {} rows of their own, {:.1f} bytes a particle and step\n",
         storage.stencil_rows, storage.distinct_stencils, storage.general_rows,
-        storage.bytes / static_cast<double>(disc.nodes()));
+        storage.bytes / static_cast<double>(body.nodes()));
     if (const auto multiply_adds = sweep.stiffness_multiply_adds())
       text +=
           fmt::format("steps by one product with the stiffness, {:.0f} multiply-adds a particle\n",
                       *multiply_adds);
   }
-  const double memory = run_bytes<D>(scene, disc, patient ? std::nullopt : correction);
+  const double memory = run_bytes<D>(scene, body, patient ? std::nullopt : correction);
   text += fmt::format("boundary: {} components held, {} moved, {} loads\n",
-                      disc.constraints.fixed.size() + disc.constraints.held.size(),
-                      disc.constraints.moved.size(), disc.loads.size());
-  for (const NamedBox& tag : scene.body.tags) text += tag_line<D>(tag, disc.particles);
-  for (const LoadedPatch& load : loaded_patches<D>(scene, disc)) text += "  " + load.text() + "\n";
+                      body.constraints.fixed.size() + body.constraints.held.size(),
+                      body.constraints.moved.size(), body.loads.size());
+  for (const NamedBox& tag : scene.body.tags) text += tag_line<D>(tag, body.particles);
+  for (const LoadedPatch& load : loaded_patches<D>(scene, body)) text += "  " + load.text() + "\n";
   if (correction) text += correction_line(scene, *correction, D);
   text += steps.text;
   text += fmt::format("memory about {:.3g} MB\n", 1e-6 * memory);
-  for (const std::string& warning : warnings<D>(scene, disc)) text += "warning: " + warning + "\n";
-  const std::string spare = advise_reduction(scene, disc.nodes()) + advise_law(scene) +
-                            advise_support<D>(scene, disc, steps.critical) +
-                            advise_output<D>(scene, disc, steps.number);
+  for (const std::string& warning : warnings<D>(scene, body)) text += "warning: " + warning + "\n";
+  const std::string spare = advise_reduction(scene, body.nodes()) + advise_law(scene) +
+                            advise_support<D>(scene, body, steps.critical) +
+                            advise_output<D>(scene, body, steps.number);
   if (!spare.empty()) text += "it could do without\n" + spare;
   return text;
 }

@@ -23,7 +23,7 @@ double peak(const Curve& curve) {
         if constexpr (requires { form.amplitude; })
           return form.amplitude;
         else if constexpr (requires { form.curvature; })
-          return *std::ranges::max_element(form.value, {}, [](double v) { return std::abs(v); });
+          return *std::ranges::max_element(form.values, {}, [](double v) { return std::abs(v); });
         else
           return std::numeric_limits<double>::quiet_NaN();
       },
@@ -40,10 +40,10 @@ Vector<D> resultant(const Load& load) {
 }  // namespace
 
 template <int D>
-std::vector<LoadedPatch> loaded_patches(const Scene& scene, const Discretisation<D>& disc) {
+std::vector<LoadedPatch> loaded_patches(const Scene& scene, const Discretisation<D>& body) {
   std::vector<LoadedPatch> loads;
   for (const BoundaryScene& boundary : scene.boundaries) {
-    const Patch<D>& patch = *disc.particles.find(boundary.where);
+    const Patch<D>& patch = *body.particles.find(boundary.where);
     Vector<D> sum = Vector<D>::Zero();
     bool loaded = false;
     for (const Condition& condition : conditions_on<D>(patch, boundary)) {
@@ -103,7 +103,7 @@ Void largest_void(const Particles<2>& particles, const Shape<2>& shape) {
     const Vector<2> arm = Vector<2>(c.y() * b.squaredNorm() - b.y() * c.squaredNorm(),
                                     b.x() * c.squaredNorm() - c.x() * b.squaredNorm()) /
                           twice;
-    if (arm.norm() > largest.radius && contains(shape, Vector<2>(a + arm)))
+    if (arm.norm() > largest.radius && depth(shape, Vector<2>(a + arm)) >= 0.0)
       largest = {a + arm, arm.norm()};
   }
   return largest;
@@ -124,13 +124,13 @@ std::optional<std::string> emptiness(const Scene& scene, const Particles<2>& par
 }  // namespace
 
 template <int D>
-std::vector<std::string> warnings(const Scene& scene, const Discretisation<D>& disc) {
+std::vector<std::string> warnings(const Scene& scene, const Discretisation<D>& body) {
   std::vector<std::string> texts;
   const auto add = [&](const std::optional<std::string>& text) {
     if (text) texts.push_back(*text);
   };
   add(locking(scene));
-  if constexpr (D == 2) add(emptiness(scene, disc.particles));
+  if constexpr (D == 2) add(emptiness(scene, body.particles));
   return texts;
 }
 
@@ -145,17 +145,17 @@ constexpr double negligible = 1e-6;
 /// The largest stress |A : G j| [Pa] of displacements j of the undeformed body; of the thesis's
 /// gradient, which is no matrix, about that.
 template <int D>
-double stress_of(const Discretisation<D>& disc, const VectorField<D>& jump) {
-  TensorField<D> H = TensorField<D>::Zero(disc.points.size(), D * D);
-  if (disc.ghosts)
-    H.row(0).setConstant(jump.cwiseAbs().maxCoeff() / disc.spacing);
+double stress_of(const Discretisation<D>& body, const VectorField<D>& jump) {
+  TensorField<D> H = TensorField<D>::Zero(body.points.size(), D * D);
+  if (body.ghosts)
+    H.row(0).setConstant(jump.cwiseAbs().maxCoeff() / body.spacing);
   else
-    disc.gradient.gradient(jump, H);
+    body.gradient.gradient(jump, H);
   double largest = 0.0;
   for (Index s = 0; s < H.rows(); ++s) {
     if ((H.row(s).array() == 0.0).all()) continue;
     const Tangent<D> A =
-        tangent<D>(disc.regions[region_of<D>(disc, s)].law, Tensor<D>(Tensor<D>::Zero()));
+        tangent<D>(body.regions[region_of<D>(body, s)].law, Tensor<D>(Tensor<D>::Zero()));
     largest = std::max(largest, (A * H.row(s).transpose()).cwiseAbs().maxCoeff());
   }
   return largest;
@@ -164,20 +164,20 @@ double stress_of(const Discretisation<D>& disc, const VectorField<D>& jump) {
 }  // namespace
 
 template <int D>
-std::vector<std::string> start_jumps(const Scene& scene, const Discretisation<D>& disc,
+std::vector<std::string> start_jumps(const Scene& scene, const Discretisation<D>& body,
                                      const InitialState<D>& initial) {
   std::vector<std::string> remarks;
   for (const BoundaryScene& boundary : scene.boundaries) {
-    const Patch<D>* patch = disc.particles.find(boundary.where);
+    const Patch<D>* patch = body.particles.find(boundary.where);
     const auto look_at = [&](int i, const std::string& key, double target, const char* cure) {
-      VectorField<D> jump = VectorField<D>::Zero(disc.nodes(), D);
+      VectorField<D> jump = VectorField<D>::Zero(body.nodes(), D);
       for (const int q : patch->nodes) jump(q, i) = target - initial.displacement(q, i);
       const double size = jump.cwiseAbs().maxCoeff();
-      if (size <= negligible * disc.spacing) return;
+      if (size <= negligible * body.spacing) return;
       remarks.push_back(fmt::format(
           "{}{}: {:.4g} m at t = 0, up to {:.4g} m off the initial displacement; the jump makes a "
           "stress of about {:.2g} Pa; {}",
-          boundary.place.prefix(), key, target, size, stress_of<D>(disc, jump), cure));
+          boundary.place.prefix(), key, target, size, stress_of<D>(body, jump), cure));
     };
     for (const Condition& condition : conditions_on<D>(*patch, boundary)) {
       const int i = condition.component;
@@ -192,8 +192,8 @@ std::vector<std::string> start_jumps(const Scene& scene, const Discretisation<D>
       double jump = 0.0;
       for (const int q : patch->nodes)
         jump = std::max(jump, std::abs(speed - initial.velocity(q, i)));
-      if (jump <= negligible * disc.wave_speed()) continue;
-      const Region<D>& region = disc.regions.front();
+      if (jump <= negligible * body.wave_speed()) continue;
+      const Region<D>& region = body.regions.front();
       const double modulus = tangent<D>(region.law, Tensor<D>(Tensor<D>::Zero()))(0, 0);
       remarks.push_back(fmt::format(
           "{}{}: {:.4g} m/s at t = 0, up to {:.4g} m/s off the initial velocity; the jump sends a "

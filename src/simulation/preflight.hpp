@@ -11,17 +11,17 @@ namespace tlsph {
 /// The loads of the scene's boundaries, in their order.
 template <int D>
 [[nodiscard]] std::vector<LoadedPatch> loaded_patches(const Scene& scene,
-                                                      const Discretisation<D>& disc);
+                                                      const Discretisation<D>& body);
 
 /// What the results of the scene suffer from though it runs, a sentence each.
 template <int D>
-[[nodiscard]] std::vector<std::string> warnings(const Scene& scene, const Discretisation<D>& disc);
+[[nodiscard]] std::vector<std::string> warnings(const Scene& scene, const Discretisation<D>& body);
 
 /// What is prescribed at t = 0 and is not where or as fast as the body starts, a sentence each with
 /// place, key, amount and the stress that the jump makes.
 template <int D>
 [[nodiscard]] std::vector<std::string> start_jumps(const Scene& scene,
-                                                   const Discretisation<D>& disc,
+                                                   const Discretisation<D>& body,
                                                    const InitialState<D>& initial);
 
 /// The step a run of the scene starts with [s]: time.step, or its share of the critical step at the

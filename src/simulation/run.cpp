@@ -24,24 +24,24 @@ namespace {
 constexpr Index one_thread_below = 2000;
 
 template <int D>
-void describe(const Scene& scene, const Discretisation<D>& disc, Summary& summary) {
+void describe(const Scene& scene, const Discretisation<D>& body, Summary& summary) {
   summary.scene = scene.file;
   summary.title = scene.title;
   summary.version = version();
   summary.dimension = D;
   summary.formulation = name_of(scene.formulation);
-  summary.consistency = disc.consistency;
+  summary.consistency = body.consistency;
   summary.kernel = scene.kernel.family;
   summary.support = scene.kernel.support;
-  summary.particles = disc.nodes();
-  summary.points = disc.points.size();
-  summary.spacing = disc.spacing;
-  summary.loads = loaded_patches<D>(scene, disc);
-  summary.warnings = warnings<D>(scene, disc);
-  const VectorOperator<D>& G = disc.ghosts ? disc.ghosts->plain_gradient() : disc.gradient;
-  if (disc.ghosts) {
-    summary.ghosts = disc.ghosts->lattice().ghosts();
-    summary.boundary_solver = disc.ghosts->solver();
+  summary.particles = body.nodes();
+  summary.points = body.points.size();
+  summary.spacing = body.spacing;
+  summary.loads = loaded_patches<D>(scene, body);
+  summary.warnings = warnings<D>(scene, body);
+  const VectorOperator<D>& G = body.ghosts ? body.ghosts->plain_gradient() : body.gradient;
+  if (body.ghosts) {
+    summary.ghosts = body.ghosts->lattice().ghosts();
+    summary.boundary_solver = body.ghosts->solver();
   }
   summary.nonzeros = G.nonzeros();
   summary.neighbours_mean =

@@ -31,19 +31,19 @@ std::vector<SeriesQuantity> series_layout() {
 }
 
 template <int D>
-RunLayout layout_of(const Scene& scene, const Discretisation<D>& disc) {
+RunLayout layout_of(const Scene& scene, const Discretisation<D>& body) {
   RunLayout layout;
   layout.dimension = D;
-  layout.particles = static_cast<std::size_t>(disc.nodes());
-  layout.points = static_cast<std::size_t>(disc.points.size());
+  layout.particles = static_cast<std::size_t>(body.nodes());
+  layout.points = static_cast<std::size_t>(body.points.size());
   for (const std::string& name : scene.output.fields) {
     const Quantity<D>& quantity = quantity_named<D>(name);
     layout.fields.push_back({name, quantity.site, quantity.rank, std::string(quantity.unit)});
   }
   layout.series = series_layout<D>();
   layout.points_are_cells =
-      !disc.particles.cells.empty() && layout.points == disc.particles.cells.size();
-  layout.triangles = disc.particles.triangles.size();
+      !body.particles.cells.empty() && layout.points == body.particles.cells.size();
+  layout.triangles = body.particles.triangles.size();
   layout.points_are_nodes = is_collocated(scene.formulation);
   return layout;
 }
@@ -68,23 +68,23 @@ std::vector<std::int32_t> edges(const std::vector<Triangle>& triangles) {
 
 template <int D>
 RunOutput<D>::RunOutput(const std::filesystem::path& directory, const Scene& scene,
-                        const Discretisation<D>& disc, const ProbeHistories& probes,
+                        const Discretisation<D>& body, const ProbeHistories& probes,
                         const std::optional<OutputCounts>& resumed)
-    : directory_(directory), layout_(layout_of<D>(scene, disc)), lock_(prepared(directory)) {
-  const PatchTags tags = patch_tags<D>(disc.particles);
+    : directory_(directory), layout_(layout_of<D>(scene, body)), lock_(prepared(directory)) {
+  const PatchTags tags = patch_tags<D>(body.particles);
   RunStart start;
   start.scene_file = scene.file;
   start.scene_text = scene.text;
   start.version = version();
-  start.particles = {D, flat(disc.particles.X), flat(disc.particles.V), tags.bits, tags.names};
-  start.points = {D, flat(disc.points.X), flat(disc.points.V)};
+  start.particles = {D, flat(body.particles.X), flat(body.particles.V), tags.bits, tags.names};
+  start.points = {D, flat(body.points.X), flat(body.points.V)};
   std::vector<std::int32_t> cells;
-  if (layout_.points_are_cells) start.cells = cells = corners(disc.particles.cells);
-  const std::vector<std::int32_t> surface = corners(disc.particles.triangles);
+  if (layout_.points_are_cells) start.cells = cells = corners(body.particles.cells);
+  const std::vector<std::int32_t> surface = corners(body.particles.triangles);
   start.triangles = surface;
-  start.line = disc.particles.line;
+  start.line = body.particles.line;
   std::vector<std::int32_t> sides;
-  if (!layout_.points_are_nodes) start.edges = sides = edges(disc.particles.triangles);
+  if (!layout_.points_are_nodes) start.edges = sides = edges(body.particles.triangles);
   const auto with_time = [](const std::vector<std::string>& names) {
     std::vector<std::string> columns = {"time"};
     columns.insert(columns.end(), names.begin(), names.end());

@@ -40,12 +40,12 @@ template <int D>
 void compress(const Subject& subject, const Compression& study, CompressionRow& row) {
   const double c = build<D>(compressed(subject, study.method, 1.0)).wave_speed();
   const Scene scene = compressed(subject, study.method, study.speed * c);
-  const auto disc = build<D>(scene);
-  VectorField<D> v = VectorField<D>::Zero(disc.nodes(), D);
+  const auto body = build<D>(scene);
+  VectorField<D> v = VectorField<D>::Zero(body.nodes(), D);
   if (!study.impact)
     v.col(0) = -study.speed * c / (subject.upper[0] - subject.lower[0]) *
-               (disc.particles.X.col(0).array() - subject.lower[0]);
-  Stepper<D> stepper(disc, VectorField<D>::Zero(disc.nodes(), D), v,
+               (body.particles.X.col(0).array() - subject.lower[0]);
+  Stepper<D> stepper(body, VectorField<D>::Zero(body.nodes(), D), v,
                      {.safety = safety,
                       .adaptive = study.adaptive,
                       .rehearse = false,
@@ -63,7 +63,7 @@ void compress(const Subject& subject, const Compression& study, CompressionRow& 
       stepping += watch.seconds();
       if (compare && state.step % compare_every == 0) {
         stepper.evaluate();
-        if (const auto limit = critical_step_if_any<D>(disc, state))
+        if (const auto limit = critical_step_if_any<D>(body, state))
           row.closest = std::max(row.closest, stepper.dt() / limit->dt);
         row.smallest = std::min(row.smallest, smallest_volume<D>(state));
       }
@@ -75,7 +75,7 @@ void compress(const Subject& subject, const Compression& study, CompressionRow& 
   } catch (const NumericalError& failure) {
     row.failure = failure.what();
   }
-  row.particles = disc.nodes();
+  row.particles = body.nodes();
   row.smallest = std::min(row.smallest, smallest_volume<D>(state));
   row.steps = state.step;
   row.estimates = 1;

@@ -24,33 +24,33 @@ constexpr double overflow = 1e13;
 
 /// Uniform in [−1, 1) at every degree of freedom that is free.
 template <int D>
-VectorField<D> random_field(const Discretisation<D>& disc) {
+VectorField<D> random_field(const Discretisation<D>& body) {
   std::mt19937_64 bits(7);
-  VectorField<D> field(disc.nodes(), D);
+  VectorField<D> field(body.nodes(), D);
   for (Index k = 0; k < field.size(); ++k) {
     const double value = std::ldexp(static_cast<double>(bits() >> 11), -52) - 1.0;
-    field.data()[k] = disc.inverse_mass.data()[k] == 0.0 ? 0.0 : value;
+    field.data()[k] = body.inverse_mass.data()[k] == 0.0 ? 0.0 : value;
   }
   return field;
 }
 
 /// √(xᵀ M x).
 template <int D>
-double norm(const Discretisation<D>& disc, const VectorField<D>& x) {
-  return std::sqrt(disc.mass.dot(x.rowwise().squaredNorm()));
+double norm(const Discretisation<D>& body, const VectorField<D>& x) {
+  return std::sqrt(body.mass.dot(x.rowwise().squaredNorm()));
 }
 
 /// Steps from u and v about the uniform state, whose forces are balanced.
 template <int D>
 Stepper<D> balanced(const Sample<D>& sample, const VectorField<D>& u, const VectorField<D>& v,
                     double dt) {
-  return {sample.disc,
+  return {sample.body,
           u,
           v,
           {.step = dt,
            .balance_every = 0,
-           .evaluate = [&f = sample.state.f](const Discretisation<D>& disc, State<D>& state) {
-             evaluate<D>(disc, state);
+           .evaluate = [&f = sample.state.f](const Discretisation<D>& body, State<D>& state) {
+             evaluate<D>(body, state);
              state.f -= f;
            }}};
 }
@@ -58,10 +58,10 @@ Stepper<D> balanced(const Sample<D>& sample, const VectorField<D>& u, const Vect
 /// Kinetic and elastic energy, the dead loads' potential included, of an evaluated state.
 template <int D>
 double energy_of(const Sample<D>& sample, const State<D>& state, double dt) {
-  const Discretisation<D>& disc = sample.disc;
-  const VectorField<D> next = state.v + dt * disc.inverse_mass.cwiseProduct(state.f);
-  const double kinetic = 0.5 * disc.mass.dot(state.v.cwiseProduct(next).rowwise().sum());
-  return kinetic + elastic_energy<D>(disc, state) +
+  const Discretisation<D>& body = sample.body;
+  const VectorField<D> next = state.v + dt * body.inverse_mass.cwiseProduct(state.f);
+  const double kinetic = 0.5 * body.mass.dot(state.v.cwiseProduct(next).rowwise().sum());
+  return kinetic + elastic_energy<D>(body, state) +
          sample.state.f.cwiseProduct(state.u - sample.state.u).sum();
 }
 
@@ -88,22 +88,22 @@ double growth_of(const std::vector<double>& amplitude) {
 
 /// Takes the translations and the rotation out of a velocity field.
 template <int D>
-void remove_rigid_motion(const Discretisation<D>& disc, VectorField<D>& v) {
+void remove_rigid_motion(const Discretisation<D>& body, VectorField<D>& v) {
   const auto remove = [&](const VectorField<D>& mode) {
-    const double share = disc.mass.dot(mode.cwiseProduct(v).rowwise().sum()) /
-                         disc.mass.dot(mode.rowwise().squaredNorm());
+    const double share = body.mass.dot(mode.cwiseProduct(v).rowwise().sum()) /
+                         body.mass.dot(mode.rowwise().squaredNorm());
     v -= share * mode;
   };
   for (int i = 0; i < D; ++i) {
-    VectorField<D> mode = VectorField<D>::Zero(disc.nodes(), D);
+    VectorField<D> mode = VectorField<D>::Zero(body.nodes(), D);
     mode.col(i).setOnes();
     remove(mode);
   }
   if constexpr (D == 2) {
-    const Vector<2> centre = disc.particles.X.transpose() * disc.mass / disc.mass.sum();
-    VectorField<2> mode(disc.nodes(), 2);
-    mode.col(0) = -(disc.particles.X.col(1).array() - centre[1]);
-    mode.col(1) = disc.particles.X.col(0).array() - centre[0];
+    const Vector<2> centre = body.particles.X.transpose() * body.mass / body.mass.sum();
+    VectorField<2> mode(body.nodes(), 2);
+    mode.col(0) = -(body.particles.X.col(1).array() - centre[1]);
+    mode.col(1) = body.particles.X.col(0).array() - centre[0];
     remove(mode);
   }
 }
@@ -113,25 +113,25 @@ void remove_rigid_motion(const Discretisation<D>& disc, VectorField<D>& v) {
 template <int D>
 PerturbedRun perturbed_run(const Sample<D>& sample, const StateSpectrum& spectrum, double dt,
                            const std::string& label) {
-  const Discretisation<D>& disc = sample.disc;
+  const Discretisation<D>& body = sample.body;
   PerturbedRun run;
   run.label = label;
   run.ratio = dt / spectrum.critical();
-  if (disc.viscosity.nonZeros() == 0) run.expected = growth_per_step(spectrum.squares, dt);
-  const VectorField<D> push = displacement * disc.spacing * random_field<D>(disc);
+  if (body.viscosity.nonZeros() == 0) run.expected = growth_per_step(spectrum.squares, dt);
+  const VectorField<D> push = displacement * body.spacing * random_field<D>(body);
   // √(2E₀) of the perturbation if all of it were in the fastest mode.
-  const double unit = 2.0 / spectrum.limit * norm<D>(disc, push);
+  const double unit = 2.0 / spectrum.limit * norm<D>(body, push);
   const double growth = dt > spectrum.limit ? std::max(run.expected, 0.02) : run.expected;
   const long last = steps_to_see(growth);
   std::vector<double> amplitude;
   try {
-    Stepper<D> body = balanced<D>(sample, sample.state.u + push, sample.state.v, dt);
+    Stepper<D> stepper = balanced<D>(sample, sample.state.u + push, sample.state.v, dt);
     for (run.steps = 0; run.steps < last; ++run.steps) {
-      body.step();
-      amplitude.push_back(norm<D>(disc, body.state().v) / unit);
+      stepper.step();
+      amplitude.push_back(norm<D>(body, stepper.state().v) / unit);
       if (!(amplitude.back() < overflow)) break;
     }
-    body.evaluate();
+    stepper.evaluate();
   } catch (const NumericalError&) {
     run.lost_at = static_cast<long>(amplitude.size());
   }
@@ -142,73 +142,73 @@ PerturbedRun perturbed_run(const Sample<D>& sample, const StateSpectrum& spectru
 
 template <int D>
 double energy_drift(const Sample<D>& sample, double dt) {
-  const Discretisation<D>& disc = sample.disc;
-  const VectorField<D> v = velocity * disc.wave_speed() * random_field<D>(disc);
-  Stepper<D> body = balanced<D>(sample, sample.state.u, v, dt);
-  const double first = 0.5 * std::pow(norm<D>(disc, v), 2);
-  const bool damped = disc.viscosity.nonZeros() > 0;
+  const Discretisation<D>& body = sample.body;
+  const VectorField<D> v = velocity * body.wave_speed() * random_field<D>(body);
+  Stepper<D> stepper = balanced<D>(sample, sample.state.u, v, dt);
+  const double first = 0.5 * std::pow(norm<D>(body, v), 2);
+  const bool damped = body.viscosity.nonZeros() > 0;
   double start = 0.0;
   double drift = 0.0;
   for (long step = 0; step <= book_steps; ++step) {
     if (step % 10 == 0) {
-      body.evaluate();
-      const double energy = energy_of<D>(sample, body.state(), dt);
+      stepper.evaluate();
+      const double energy = energy_of<D>(sample, stepper.state(), dt);
       if (step == 0) start = energy;
       drift = std::max(drift, damped ? energy - start : std::abs(energy - start));
     }
-    body.step();
+    stepper.step();
   }
   return drift / first;
 }
 
 template <int D>
 double drift_at_rest(const Sample<D>& sample, double dt) {
-  const Discretisation<D>& disc = sample.disc;
+  const Discretisation<D>& body = sample.body;
   double largest = 0.0;
   try {
-    Stepper<D> body(disc, sample.state.u, sample.state.v,
-                    {.step = dt, .sweep = false, .balance_every = 0});
+    Stepper<D> stepper(body, sample.state.u, sample.state.v,
+                       {.step = dt, .sweep = false, .balance_every = 0});
     for (long step = 0; step < rest_steps; ++step) {
-      body.step();
-      largest = std::max(largest, body.state().v.rowwise().norm().maxCoeff());
+      stepper.step();
+      largest = std::max(largest, stepper.state().v.rowwise().norm().maxCoeff());
     }
   } catch (const NumericalError&) {
     return std::numeric_limits<double>::infinity();
   }
-  return largest / disc.wave_speed();
+  return largest / body.wave_speed();
 }
 
 /// The mode of least energy that is no rigid motion, as a velocity of unit norm.
 template <int D>
 VectorField<D> lowest_motion(const Sample<D>& sample) {
-  const Discretisation<D>& disc = sample.disc;
+  const Discretisation<D>& body = sample.body;
   constexpr Index rigid = D * (D + 1) / 2;
-  LinearisedForces<D> forces(disc, sample.state);
+  LinearisedForces<D> forces(body, sample.state);
   const Modes modes = lowest_modes(forces.dynamical_matrix(), rigid + 1);
   // Without energy they come in any mixture: one of them is left when rigid motion is taken off.
-  VectorField<D> best = VectorField<D>::Zero(disc.nodes(), D);
+  VectorField<D> best = VectorField<D>::Zero(body.nodes(), D);
   for (Index k = 0; k < modes.vectors.cols(); ++k) {
     VectorField<D> v =
-        Eigen::Map<const VectorField<D>>(modes.vectors.col(k).data(), disc.nodes(), D);
-    v = v.cwiseProduct(disc.inverse_mass.cwiseSqrt());
-    remove_rigid_motion<D>(disc, v);
-    if (norm<D>(disc, v) > norm<D>(disc, best)) best = v;
+        Eigen::Map<const VectorField<D>>(modes.vectors.col(k).data(), body.nodes(), D);
+    v = v.cwiseProduct(body.inverse_mass.cwiseSqrt());
+    remove_rigid_motion<D>(body, v);
+    if (norm<D>(body, v) > norm<D>(body, best)) best = v;
   }
-  return best / norm<D>(disc, best);
+  return best / norm<D>(body, best);
 }
 
 template <int D>
 double free_excursion(const Sample<D>& sample, double dt, double omega) {
-  const Discretisation<D>& disc = sample.disc;
+  const Discretisation<D>& body = sample.body;
   const VectorField<D> v =
-      displacement * disc.wave_speed() * std::sqrt(disc.mass.sum()) * lowest_motion<D>(sample);
-  Stepper<D> body = balanced<D>(sample, sample.state.u, v, dt);
-  const double unit = norm<D>(disc, v) / omega;
+      displacement * body.wave_speed() * std::sqrt(body.mass.sum()) * lowest_motion<D>(sample);
+  Stepper<D> stepper = balanced<D>(sample, sample.state.u, v, dt);
+  const double unit = norm<D>(body, v) / omega;
   const auto last = static_cast<long>(std::ceil(4.0 * std::numbers::pi / (omega * dt)));
   double largest = 0.0;
   for (long step = 0; step < last; ++step) {
-    body.step();
-    largest = std::max(largest, norm<D>(disc, body.state().u - sample.state.u) / unit);
+    stepper.step();
+    largest = std::max(largest, norm<D>(body, stepper.state().u - sample.state.u) / unit);
   }
   return largest;
 }

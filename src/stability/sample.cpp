@@ -164,17 +164,17 @@ template <int D>
 Sample<D> build_sample(const Subject& subject, const StateKey& key, Support support) {
   const Scene scene = scene_of(subject, key, support);
   Sample<D> sample;
-  sample.disc = build<D>(scene);
+  sample.body = build<D>(scene);
   sample.H0(0, 0) = key.stretch - 1.0;
   const Vector<D> origin = extent<D>(scene).lower;
-  const Index N = sample.disc.nodes();
+  const Index N = sample.body.nodes();
   VectorField<D> u(N, D);
   for (Index q = 0; q < N; ++q) {
-    const Vector<D> X = sample.disc.particles.X.row(q).transpose();
+    const Vector<D> X = sample.body.particles.X.row(q).transpose();
     u.row(q) = (sample.H0 * (X - origin)).transpose();
   }
-  sample.state = make_state<D>(sample.disc, u, VectorField<D>::Zero(N, D));
-  evaluate<D>(sample.disc, sample.state);
+  sample.state = make_state<D>(sample.body, u, VectorField<D>::Zero(N, D));
+  evaluate<D>(sample.body, sample.state);
   return sample;
 }
 

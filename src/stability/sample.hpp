@@ -43,7 +43,7 @@ enum class Support { sliding, free };
 
 template <int D>
 struct Sample {
-  Discretisation<D> disc;
+  Discretisation<D> body;
   Tensor<D> H0 = Tensor<D>::Zero();  ///< the uniform displacement gradient
   State<D> state;                    ///< at rest at H0, evaluated
 };

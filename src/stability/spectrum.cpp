@@ -44,15 +44,15 @@ double StateSpectrum::smallest(Index count) const {
 
 template <int D>
 StateSpectrum spectrum_of(const Sample<D>& sample) {
-  LinearisedForces<D> forces(sample.disc, sample.state);
+  LinearisedForces<D> forces(sample.body, sample.state);
   const SparseMatrix K = forces.dynamical_matrix();
   StateSpectrum result;
   result.squares = eigenvalues(K);
   const double largest = result.squares.empty() ? 0.0 : std::abs(result.squares.front());
   result.limit = 2.0 / std::sqrt(largest);
-  if (sample.disc.viscosity.nonZeros() > 0)
+  if (sample.body.viscosity.nonZeros() > 0)
     result.limit = damped_limit(K, forces.damping_matrix(), result.limit);
-  const double nothing = (sample.disc.adjoint ? round_off : defective) * largest;
+  const double nothing = (sample.body.adjoint ? round_off : defective) * largest;
   for (auto& square : result.squares) {
     // Pairs of a double root leave the axis by the square root of round-off: no growth of a motion.
     if (std::abs(square.imag()) <= nothing) square.imag(0.0);
@@ -62,7 +62,7 @@ StateSpectrum spectrum_of(const Sample<D>& sample) {
   for (const auto& square : result.squares)
     if (std::abs(square) > nothing) true_ones.push_back(square);
   result.growth = growth_rate(true_ones);
-  if (const auto critical = critical_step_if_any<D>(sample.disc, sample.state))
+  if (const auto critical = critical_step_if_any<D>(sample.body, sample.state))
     result.bound = critical->dt;
   return result;
 }

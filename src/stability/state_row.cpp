@@ -24,11 +24,11 @@ constexpr Index rigid_motions = D*(D + 1) / 2;
 
 template <int D>
 double largest_imbalance(const Sample<D>& sample) {
-  const Tensor<D> P = pk1<D>(sample.disc.regions.front().law, sample.H0);
-  const double scale = P.norm() * std::pow(sample.disc.spacing, D - 1);
+  const Tensor<D> P = pk1<D>(sample.body.regions.front().law, sample.H0);
+  const double scale = P.norm() * std::pow(sample.body.spacing, D - 1);
   double largest = 0.0;
   for (Index dof = 0; dof < sample.state.f.size(); ++dof)
-    if (sample.disc.inverse_mass.data()[dof] != 0.0)
+    if (sample.body.inverse_mass.data()[dof] != 0.0)
       largest = std::max(largest, std::abs(sample.state.f.data()[dof]));
   return scale > 0.0 ? largest / scale : 0.0;
 }
@@ -56,22 +56,22 @@ template <int D>
 void examine(const Subject& subject, const StateKey& key, FirstVibration& first, AtlasRow& row) {
   const Sample<D> sample =
       build_sample<D>(subject, key, key.strip > 0 ? Support::free : Support::sliding);
-  const Discretisation<D>& disc = sample.disc;
-  const double unit = disc.spacing / disc.wave_speed();  // Δ/c_p [s]
-  const Tangent<D> A = tangent<D>(disc.regions.front().law, sample.H0);
-  const double modulus = tangent<D>(disc.regions.front().law, Tensor<D>::Zero())(0, 0);
-  row.particles = disc.nodes();
+  const Discretisation<D>& body = sample.body;
+  const double unit = body.spacing / body.wave_speed();  // Δ/c_p [s]
+  const Tangent<D> A = tangent<D>(body.regions.front().law, sample.H0);
+  const double modulus = tangent<D>(body.regions.front().law, Tensor<D>::Zero())(0, 0);
+  row.particles = body.nodes();
   row.acoustic = smallest_acoustic_eigenvalue<D>(A) / modulus;
   row.imbalance = largest_imbalance<D>(sample);
   const StateSpectrum spectrum = spectrum_of<D>(sample);
   row.bound = spectrum.bound / unit;
   row.limit = spectrum.limit / unit;
-  row.negative = disc.adjoint ? spectrum.negative : 0;
+  row.negative = body.adjoint ? spectrum.negative : 0;
   row.growth = spectrum.growth * unit;
   if (key.strip > 0) {
     // A thin body is free anyway; modes below its first bending are no vibrations of it.
     count_zero_energy_modes<D>(key, first, sample, spectrum, true, row);
-  } else if (key.stretch == 1.0 && disc.adjoint) {
+  } else if (key.stretch == 1.0 && body.adjoint) {
     const auto free = build_sample<D>(subject, key, Support::free);
     count_zero_energy_modes<D>(key, first, free, spectrum_of<D>(free), true, row);
   } else if (key.stretch == 1.0) {
@@ -84,10 +84,10 @@ void examine(const Subject& subject, const StateKey& key, FirstVibration& first,
         perturbed_run<D>(sample, spectrum, ratio * spectrum.critical(), fmt::format("{}", ratio)));
   if (key.stretch == 1.0 && !std::isnan(row.support) && key.strip == 0) {
     // The rule of the thesis, (4.47): h over the speed of a thin bar.
-    const double rule = row.support * disc.spacing / std::sqrt(subject.young / subject.density);
+    const double rule = row.support * body.spacing / std::sqrt(subject.young / subject.density);
     row.runs.push_back(perturbed_run<D>(sample, spectrum, rule, "h/c"));
   }
-  if ((row.verdict == Verdict::stable || row.verdict == Verdict::zero_energy) && disc.adjoint) {
+  if ((row.verdict == Verdict::stable || row.verdict == Verdict::zero_energy) && body.adjoint) {
     try {
       row.runs.front().energy_drift = energy_drift<D>(sample, 0.95 * spectrum.critical());
     } catch (const NumericalError&) {

@@ -41,21 +41,21 @@ Discretisation<D> large_lattice(const Subject& subject, const StateKey& key) {
 template <int D>
 WaveRow waves_of(const Subject& subject, const Method& method) {
   const StateKey key{method, 0, 0.0, subject.poisson, 1.0};
-  const auto disc = large_lattice<D>(subject, key);
-  const State<D> state = make_state<D>(disc, VectorField<D>::Zero(disc.nodes(), D),
-                                       VectorField<D>::Zero(disc.nodes(), D));
-  const LatticeSymbol<D> symbol = lattice_symbol<D>(disc, state);
-  const Tangent<D> A = tangent<D>(disc.regions.front().law, Tensor<D>::Zero());
-  const double density = disc.regions.front().density;
+  const auto body = large_lattice<D>(subject, key);
+  const State<D> state = make_state<D>(body, VectorField<D>::Zero(body.nodes(), D),
+                                       VectorField<D>::Zero(body.nodes(), D));
+  const LatticeSymbol<D> symbol = lattice_symbol<D>(body, state);
+  const Tangent<D> A = tangent<D>(body.regions.front().law, Tensor<D>::Zero());
+  const double density = body.regions.front().density;
   std::array<double, D> exact;
   exact[D - 1] = std::sqrt(A(0, 0) / density);
   if constexpr (D == 2) exact[0] = std::sqrt(A(1, 1) / density);
-  const auto speeds = phase_speeds<D>(symbol, disc.spacing, exact, radial, angular);
+  const auto speeds = phase_speeds<D>(symbol, body.spacing, exact, radial, angular);
 
   WaveRow row;
   row.method = method.name;
   row.poisson = subject.poisson;
-  row.zero_energy = zero_energy_waves<D>(symbol, disc.particles.spacings, exact[D - 1]);
+  row.zero_energy = zero_energy_waves<D>(symbol, body.particles.spacings, exact[D - 1]);
   std::array<double, D> worst{}, least, most{};
   least.fill(std::numeric_limits<double>::infinity());
   row.slowest = std::numeric_limits<double>::infinity();
@@ -84,27 +84,27 @@ WaveRow waves_of(const Subject& subject, const Method& method) {
 }  // namespace
 
 template <int D>
-LatticeSymbol<D> lattice_symbol(const Discretisation<D>& disc, const State<D>& state) {
-  const LatticeFrame<D>& frame = *disc.particles.frame;
+LatticeSymbol<D> lattice_symbol(const Discretisation<D>& body, const State<D>& state) {
+  const LatticeFrame<D>& frame = *body.particles.frame;
   std::array<int, D> middle;
   for (std::size_t a = 0; a < D; ++a) middle[a] = frame.counts[a] / 2;
   const int centre = frame.index(middle);
-  LinearisedForces<D> forces(disc, state);
+  LinearisedForces<D> forces(body, state);
   std::array<VectorField<D>, D> answers;
   for (std::size_t j = 0; j < D; ++j) {
-    VectorField<D> push = VectorField<D>::Zero(disc.nodes(), D);
+    VectorField<D> push = VectorField<D>::Zero(body.nodes(), D);
     push(centre, static_cast<Index>(j)) = 1.0;
     answers[j] = push;
     forces.product(push, answers[j]);
   }
   LatticeSymbol<D> symbol;
-  for (Index q = 0; q < disc.nodes(); ++q) {
+  for (Index q = 0; q < body.nodes(); ++q) {
     Tensor<D> block;
     for (int i = 0; i < D; ++i)
       for (int j = 0; j < D; ++j)
-        block(i, j) = -answers[static_cast<std::size_t>(j)](q, i) / disc.mass[centre];
+        block(i, j) = -answers[static_cast<std::size_t>(j)](q, i) / body.mass[centre];
     if (block.squaredNorm() == 0.0) continue;
-    symbol.offset.push_back((disc.particles.X.row(q) - disc.particles.X.row(centre)).transpose());
+    symbol.offset.push_back((body.particles.X.row(q) - body.particles.X.row(centre)).transpose());
     symbol.block.push_back(block);
   }
   return symbol;

@@ -53,21 +53,21 @@ double largest_row_sum(const VectorOperator<D>& gradient) {
 }  // namespace
 
 template <int D>
-AdaptiveStep<D>::AdaptiveStep(const Discretisation<D>& disc, const State<D>& state, double safety)
-    : disc_(disc),
+AdaptiveStep<D>::AdaptiveStep(const Discretisation<D>& body, const State<D>& state, double safety)
+    : disc_(body),
       safety_(std::max(safety, notch * always_kept)),
       kept_(std::max(safety + kept_share * (1.0 - safety), always_kept)),
       deformation_(std::max(smallest_deformation, deformation_share * (1.0 - safety))),
-      critical_(critical_step<D>(disc, state)),
+      critical_(critical_step<D>(body, state)),
       initial_limit_(critical_.dt),
       limit_(initial_limit_),
       step_(safety * initial_limit_),
       steady_(step_),
-      monitor_(std::make_unique<StrainMonitor<D>>(disc)),
+      monitor_(std::make_unique<StrainMonitor<D>>(body)),
       H_estimate_(monitor_->strains(state)),
       H_bound_(H_estimate_),
       memory_estimate_(state.memory),
-      row_sum_(disc.ghosts ? 0.0 : largest_row_sum<D>(disc.gradient)),
+      row_sum_(body.ghosts ? 0.0 : largest_row_sum<D>(body.gradient)),
       last_check_(state.step),
       next_check_(state.step + 1),
       estimates_(1) {}

@@ -19,12 +19,12 @@ class Linearised {
  public:
   /// `at`: the state and the sweep of its forces, or the sweep alone.
   template <class... At>
-  explicit Linearised(const Discretisation<D>& disc, const At&... at)
-      : disc_(disc),
-        forces_(disc, at...),
-        x_(VectorField<D>::Zero(disc.nodes(), D)),
+  explicit Linearised(const Discretisation<D>& body, const At&... at)
+      : disc_(body),
+        forces_(body, at...),
+        x_(VectorField<D>::Zero(body.nodes(), D)),
         y_(x_),
-        root_(disc.inverse_mass.cwiseSqrt()) {}
+        root_(body.inverse_mass.cwiseSqrt()) {}
 
   [[nodiscard]] Index size() const { return x_.size(); }
 
@@ -96,15 +96,15 @@ double damped_step(Linearised<D>& linearised, double undamped, double tolerance)
 }
 
 template <int D>
-std::optional<CriticalStep> estimate(const Discretisation<D>& disc, const State<D>& state,
+std::optional<CriticalStep> estimate(const Discretisation<D>& body, const State<D>& state,
                                      double tolerance, const Sweep<D>* sweep) {
-  Linearised<D> linearised(disc, state, sweep);
+  Linearised<D> linearised(body, state, sweep);
   CriticalStep result;
-  if (disc.adjoint) {
+  if (body.adjoint) {
     const double omega_squared = largest(linearised, 1.0, 0.0, tolerance);
     if (!(omega_squared > 0.0)) return std::nullopt;
     result.dt = 2.0 / std::sqrt(omega_squared);
-    if (disc.viscosity.nonZeros() > 0) result.dt = damped_step(linearised, result.dt, tolerance);
+    if (body.viscosity.nonZeros() > 0) result.dt = damped_step(linearised, result.dt, tolerance);
   } else {
     const auto values =
         largest_of([&](const Eigen::VectorXd& x, Eigen::VectorXd& y) { linearised.general(x, y); },
@@ -119,34 +119,34 @@ std::optional<CriticalStep> estimate(const Discretisation<D>& disc, const State<
     result.dt = 2.0 / std::sqrt(largest_modulus);
     result.growth = growth;
   }
-  result.scaled = result.dt * disc.wave_speed() / disc.spacing;
+  result.scaled = result.dt * body.wave_speed() / body.spacing;
   return result;
 }
 
 }  // namespace
 
 template <int D>
-std::optional<CriticalStep> critical_step_if_any(const Discretisation<D>& disc,
+std::optional<CriticalStep> critical_step_if_any(const Discretisation<D>& body,
                                                  const State<D>& state, double tolerance,
                                                  const Sweep<D>* sweep) {
   try {
-    return estimate<D>(disc, state, tolerance, sweep);
+    return estimate<D>(body, state, tolerance, sweep);
   } catch (const NumericalError& failure) {
-    report_loss<D>(disc, state, failure.what());  // the solver knows no time and no particle
+    report_loss<D>(body, state, failure.what());  // the solver knows no time and no particle
   }
 }
 
 template <int D>
-CriticalStep critical_step(const Discretisation<D>& disc, const State<D>& state) {
-  if (const auto result = critical_step_if_any<D>(disc, state)) return *result;
-  report_loss<D>(disc, state, "the body has no stiffness, and no critical time step,");
+CriticalStep critical_step(const Discretisation<D>& body, const State<D>& state) {
+  if (const auto result = critical_step_if_any<D>(body, state)) return *result;
+  report_loss<D>(body, state, "the body has no stiffness, and no critical time step,");
 }
 
 template <int D>
-double unit_stiffness(const Discretisation<D>& disc, const Sweep<D>* sweep) {
+double unit_stiffness(const Discretisation<D>& body, const Sweep<D>* sweep) {
   constexpr double tolerance = 5e-2;  // of a factor of what the tangents change
-  Linearised<D> linearised(disc, sweep);
-  if (disc.adjoint) return largest(linearised, 1.0, 0.0, tolerance);
+  Linearised<D> linearised(body, sweep);
+  if (body.adjoint) return largest(linearised, 1.0, 0.0, tolerance);
   const auto values = largest_of(
       [&](const Eigen::VectorXd& x, Eigen::VectorXd& y) { linearised.symmetric(1.0, 0.0, x, y); },
       linearised.size());

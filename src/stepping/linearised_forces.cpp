@@ -15,41 +15,41 @@ constexpr Index worth_a_sweep = 10'000;
 
 /// Entries of `inverse_mass` that are not zero, ascending.
 template <int D>
-std::vector<Index> free_dofs(const Discretisation<D>& disc) {
+std::vector<Index> free_dofs(const Discretisation<D>& body) {
   std::vector<Index> free;
-  for (Index dof = 0; dof < disc.inverse_mass.size(); ++dof)
-    if (disc.inverse_mass.data()[dof] != 0.0) free.push_back(dof);
+  for (Index dof = 0; dof < body.inverse_mass.size(); ++dof)
+    if (body.inverse_mass.data()[dof] != 0.0) free.push_back(dof);
   return free;
 }
 
 }  // namespace
 
 template <int D>
-LinearisedForces<D>::LinearisedForces(const Discretisation<D>& disc, const State<D>& state,
+LinearisedForces<D>::LinearisedForces(const Discretisation<D>& body, const State<D>& state,
                                       const Sweep<D>* sweep)
-    : disc_(disc), state_(&state) {
-  const bool by_points = disc.viscosity.nonZeros() > 0;
-  const bool large = disc.nodes() >= worth_a_sweep && Sweep<D>::possible(disc);
+    : disc_(body), state_(&state) {
+  const bool by_points = body.viscosity.nonZeros() > 0;
+  const bool large = body.nodes() >= worth_a_sweep && Sweep<D>::possible(body);
   if (by_points || (sweep == nullptr && !large)) {
     prepare();
     return;
   }
-  if (sweep != nullptr || (!disc.linear() && !(state.H.array() == 0.0).all())) {
-    tangent_.emplace(disc, state, sweep);
+  if (sweep != nullptr || (!body.linear() && !(state.H.array() == 0.0).all())) {
+    tangent_.emplace(body, state, sweep);
     return;
   }
   SweepOptions options;
   options.threads = omp_get_max_threads();
   options.linearised = true;
-  sweep_.emplace(disc, options);
-  moved_.signals.assign(disc.signals.size(), 0.0);
+  sweep_.emplace(body, options);
+  moved_.signals.assign(body.signals.size(), 0.0);
 }
 
 template <int D>
-LinearisedForces<D>::LinearisedForces(const Discretisation<D>& disc, const Sweep<D>* sweep)
-    : disc_(disc) {
+LinearisedForces<D>::LinearisedForces(const Discretisation<D>& body, const Sweep<D>* sweep)
+    : disc_(body) {
   if (sweep != nullptr)
-    tangent_.emplace(disc, *sweep);
+    tangent_.emplace(body, *sweep);
   else
     prepare();
 }

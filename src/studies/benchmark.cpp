@@ -124,38 +124,38 @@ template <int D>
 BenchmarkRow measure(const Case& entry, const BenchmarkOptions& options,
                      const BenchmarkTable& machine) {
   const Scene scene = scene_of(entry, options.particles);
-  const Discretisation<D> disc = build<D>(scene);
+  const Discretisation<D> body = build<D>(scene);
   State<D> state =
-      make_state<D>(disc, wave<D>(disc.particles.X), VectorField<D>::Zero(disc.nodes(), D));
-  evaluate<D>(disc, state);
-  const double dt = 0.5 * critical_step<D>(disc, state).dt;
-  start<D>(disc, state, dt);
-  Sweep<D> sweep(disc, {entry.threads, scene.precision == Precision::mixed, Instructions::widest});
-  BoundaryForces<D> forces(disc);
+      make_state<D>(body, wave<D>(body.particles.X), VectorField<D>::Zero(body.nodes(), D));
+  evaluate<D>(body, state);
+  const double dt = 0.5 * critical_step<D>(body, state).dt;
+  start<D>(body, state, dt);
+  Sweep<D> sweep(body, {entry.threads, scene.precision == Precision::mixed, Instructions::widest});
+  BoundaryForces<D> forces(body);
 
   BenchmarkRow row;
   row.name = entry.name;
-  row.particles = disc.nodes();
+  row.particles = body.nodes();
   row.neighbours =
-      static_cast<double>(disc.gradient.nonzeros()) / static_cast<double>(disc.gradient.rows());
+      static_cast<double>(body.gradient.nonzeros()) / static_cast<double>(body.gradient.rows());
   row.threads = entry.threads;
   row.storage = sweep.storage();
-  const auto particles = static_cast<double>(disc.nodes());
+  const auto particles = static_cast<double>(body.nodes());
   const auto [fastest, median] =
       timed(options.seconds, [&] { sweep.step(state, dt, state.time + dt, forces); });
   row.ns = fastest * 1e9 / particles;
   row.spread = median / fastest - 1.0;
   if (entry.plain) {
-    PlainStep<D> plain(disc, state.u);
+    PlainStep<D> plain(body, state.u);
     const ThreadCount alone(1);  // Eigen shares its products among all there are
     row.plain_ns = timed(0.5 * options.seconds, [&] { plain.step(dt); })[0] * 1e9 / particles;
   }
-  const double entries = static_cast<double>(disc.gradient.nonzeros()) / particles;
-  const double modes = disc.hourglass.empty() ? 0.0 : 1.0;
-  const double points = static_cast<double>(disc.points.size()) / particles;
+  const double entries = static_cast<double>(body.gradient.nonzeros()) / particles;
+  const double modes = body.hourglass.empty() ? 0.0 : 1.0;
+  const double points = static_cast<double>(body.points.size()) / particles;
   row.multiply_adds =
       sweep.stiffness_multiply_adds().value_or(2.0 * entries * (D + modes) * D +
-                                               points * law_work<D>(disc.regions.front().law)) +
+                                               points * law_work<D>(body.regions.front().law)) +
       2.0 * D;
   const double weights =
       row.storage.bytes / particles *

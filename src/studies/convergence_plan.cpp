@@ -252,13 +252,13 @@ void check_formulations(const std::vector<std::string>& names) {
 
 void check_buildable(const Scene& scene) {
   in_dimension(scene.dimension, [&]<int D>() {
-    const Discretisation<D> disc = build<D>(scene);
-    (void)build_initial<D>(scene, disc);
-    (void)build_exact<D>(scene, disc);
+    const Discretisation<D> body = build<D>(scene);
+    (void)build_initial<D>(scene, body);
+    (void)build_exact<D>(scene, body);
     std::vector<ProbeRequest<D>> probes;
     for (const ProbeScene& probe : scene.probes)
       probes.push_back({probe.name, Eigen::Map<const Vector<D>>(probe.at.data()), {}});
-    (void)Probes<D>(disc, probes);
+    (void)Probes<D>(body, probes);
   });
 }
 

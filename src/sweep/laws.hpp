@@ -196,15 +196,15 @@ double stiffening(const void* of, const double* const* H, const float* const* be
       count, [&](const auto& points, Index at) __attribute__((always_inline)) {
         const TensorOf<size, Real> A = tangent_of<D>(law, read<D>(points, H, at));
         const TensorOf<size, Real> B = tangent_of<D>(law, read<D>(points, before, at));
-        Real disc[size];
-        for (int row = 0; row < size; ++row) disc[row] = A(row, row) - B(row, row);
+        Real body[size];
+        for (int row = 0; row < size; ++row) body[row] = A(row, row) - B(row, row);
         for (int row = 0; row < size; ++row)
           for (int column = row + 1; column < size; ++column) {
             const Real radius = absolute(A(row, column) - B(row, column));
-            disc[row] += radius;
-            disc[column] += radius;
+            body[row] += radius;
+            body[column] += radius;
           }
-        for (const Real& right : disc) most = larger(right, most);
+        for (const Real& right : body) most = larger(right, most);
       });
   return largest_lane(most);
 }

@@ -86,10 +86,10 @@ double RegionLaw<D>::stiffening(const double* const* H, const float* const* befo
 }
 
 template <int D>
-std::vector<RegionLaw<D>> region_laws(const Discretisation<D>& disc, const Loops<D>& loops,
+std::vector<RegionLaw<D>> region_laws(const Discretisation<D>& body, const Loops<D>& loops,
                                       bool linearised) {
   std::vector<RegionLaw<D>> result;
-  for (const Region<D>& region : disc.regions) {
+  for (const Region<D>& region : body.regions) {
     const std::optional<AnyLaw<D>> linear = linearised ? at_rest<D>(region.law) : std::nullopt;
     RegionLaw<D> law{linear.value_or(region.law), nullptr, linearised && !linear};
     const std::size_t index = law.law.index();
@@ -101,11 +101,11 @@ std::vector<RegionLaw<D>> region_laws(const Discretisation<D>& disc, const Loops
 }
 
 template <int D>
-std::vector<int> regions_of_points(const Discretisation<D>& disc) {
-  if (disc.regions.size() < 2) return {};
-  std::vector<int> regions(static_cast<std::size_t>(disc.points.size()), 0);
-  for (std::size_t r = 0; r < disc.regions.size(); ++r)
-    for (const int s : disc.regions[r].points)
+std::vector<int> regions_of_points(const Discretisation<D>& body) {
+  if (body.regions.size() < 2) return {};
+  std::vector<int> regions(static_cast<std::size_t>(body.points.size()), 0);
+  for (std::size_t r = 0; r < body.regions.size(); ++r)
+    for (const int s : body.regions[r].points)
       regions[static_cast<std::size_t>(s)] = static_cast<int>(r);
   return regions;
 }

@@ -20,13 +20,13 @@ Row<double> row_of(const RowStorage& rows, const RowWeights& table, const RowRun
 template <int D>
 class Composer {
  public:
-  Composer(const Discretisation<D>& disc, const Storage<D>& storage,
+  Composer(const Discretisation<D>& body, const Storage<D>& storage,
            const std::vector<RegionLaw<D>>& laws, Index most_stencils)
       : storage_(storage), most_stencils_(most_stencils) {
     for (const RegionLaw<D>& law : laws)
       tangents_.push_back(tangent<D>(law.law, Tensor<D>::Zero()));
-    if (const std::vector<int> regions = regions_of_points(disc); !regions.empty())
-      for_laws(regions, 0, disc.points.size(), [&](std::size_t region, Index first, Index last) {
+    if (const std::vector<int> regions = regions_of_points(body); !regions.empty())
+      for_laws(regions, 0, body.points.size(), [&](std::size_t region, Index first, Index last) {
         regions_.push_back(
             {static_cast<int>(first), static_cast<int>(last - first), 0, static_cast<int>(region)});
       });
@@ -216,16 +216,16 @@ class Composer {
 }  // namespace
 
 template <int D>
-std::optional<Stiffness<D>> stiffness_of(const Discretisation<D>& disc, const Storage<D>& storage,
+std::optional<Stiffness<D>> stiffness_of(const Discretisation<D>& body, const Storage<D>& storage,
                                          const std::vector<RegionLaw<D>>& laws,
                                          Index most_stencils) {
   const bool single = storage.tables.gradient.weight_single != nullptr ||
                       storage.tables.divergence.weight_single != nullptr;
   const bool known =
       std::ranges::all_of(laws, [](const auto& law) { return law.loops != nullptr; });
-  if (!known || !disc.linear() || storage.tables.viscous || single || disc.nodes() == 0)
+  if (!known || !body.linear() || storage.tables.viscous || single || body.nodes() == 0)
     return std::nullopt;
-  return Composer<D>(disc, storage, laws, most_stencils).compose();
+  return Composer<D>(body, storage, laws, most_stencils).compose();
 }
 
 template <int D>
@@ -275,17 +275,17 @@ PlanInput Stiffness<D>::plan_input(const std::vector<RowRun>& nodes) const {
 }
 
 template <int D>
-double work_of_points(const Discretisation<D>& disc) {
+double work_of_points(const Discretisation<D>& body) {
   constexpr double law = D == 1 ? 1.0 : 6.0;
-  const double directions = disc.hourglass.empty() ? D : D + 1;
-  const auto gradient = static_cast<double>(disc.gradient.nonzeros());
-  const auto divergence = static_cast<double>(disc.divergence.nonzeros());
-  const auto points = static_cast<double>(disc.points.size());
-  const auto pairs = static_cast<double>(disc.stiffness.nonZeros());
-  const double rows = pairs > 0.0 ? 3.0 * static_cast<double>(disc.nodes()) : 0.0;
+  const double directions = body.hourglass.empty() ? D : D + 1;
+  const auto gradient = static_cast<double>(body.gradient.nonzeros());
+  const auto divergence = static_cast<double>(body.divergence.nonzeros());
+  const auto points = static_cast<double>(body.points.size());
+  const auto pairs = static_cast<double>(body.stiffness.nonZeros());
+  const double rows = pairs > 0.0 ? 3.0 * static_cast<double>(body.nodes()) : 0.0;
   return (gradient * (1.0 + directions) * D + points * (directions * D + law) +
           divergence * 2.0 * directions * D + (3.0 * pairs + rows) * D) /
-         static_cast<double>(disc.nodes());
+         static_cast<double>(body.nodes());
 }
 
 #define TLSPH_INSTANTIATE(D)                                                                     \

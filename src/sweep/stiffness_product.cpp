@@ -19,7 +19,7 @@ struct StiffnessProduct<D>::Parts {
     Fields<D> changes, strains;
   };
 
-  const Discretisation<D>& disc;
+  const Discretisation<D>& body;
   const State<D>* state;  // none: the unit tangent
   std::unique_ptr<Storage<D>> own;
   const Storage<D>& storage;
@@ -31,18 +31,18 @@ struct StiffnessProduct<D>::Parts {
   int threads = 1;
 
   Parts(const Discretisation<D>& discretisation, const State<D>* at, const Sweep<D>* sweep)
-      : disc(discretisation),
+      : body(discretisation),
         state(at),
-        own(sweep == nullptr ? std::make_unique<Storage<D>>(disc, false) : nullptr),
+        own(sweep == nullptr ? std::make_unique<Storage<D>>(body, false) : nullptr),
         storage(sweep == nullptr ? *own : sweep->operators()),
         loops(sweep::loops<D>(Instructions::widest)),
-        points(storage.gradient.runs, disc.points.size()),
-        nodes(storage.divergence.runs, disc.nodes()),
-        stress(storage.tables.modes ? D + 1 : D, disc.points.size()),
-        threads(worth_threads(disc.nodes()) ? omp_get_max_threads() : 1) {
+        points(storage.gradient.runs, body.points.size()),
+        nodes(storage.divergence.runs, body.nodes()),
+        stress(storage.tables.modes ? D + 1 : D, body.points.size()),
+        threads(worth_threads(body.nodes()) ? omp_get_max_threads() : 1) {
     if (state == nullptr) return;
-    laws = region_laws<D>(disc, loops, false);
-    regions = regions_of_points(disc);
+    laws = region_laws<D>(body, loops, false);
+    regions = regions_of_points(body);
   }
 
   /// The change of the stresses of points [first, last), from that of the strains in the buffer.
@@ -65,12 +65,12 @@ struct StiffnessProduct<D>::Parts {
 };
 
 template <int D>
-StiffnessProduct<D>::StiffnessProduct(const Discretisation<D>& disc, const State<D>& state,
+StiffnessProduct<D>::StiffnessProduct(const Discretisation<D>& body, const State<D>& state,
                                       const Sweep<D>* sweep)
-    : parts_(std::make_unique<Parts>(disc, &state, sweep)) {}
+    : parts_(std::make_unique<Parts>(body, &state, sweep)) {}
 template <int D>
-StiffnessProduct<D>::StiffnessProduct(const Discretisation<D>& disc, const Sweep<D>& sweep)
-    : parts_(std::make_unique<Parts>(disc, nullptr, &sweep)) {}
+StiffnessProduct<D>::StiffnessProduct(const Discretisation<D>& body, const Sweep<D>& sweep)
+    : parts_(std::make_unique<Parts>(body, nullptr, &sweep)) {}
 template <int D>
 StiffnessProduct<D>::StiffnessProduct(StiffnessProduct&&) noexcept = default;
 template <int D>
@@ -86,7 +86,7 @@ void StiffnessProduct<D>::product(const VectorField<D>& x, VectorField<D>& force
     buffers.push_back({Fields<D>(D + 1, block_rows), Fields<D>(D, block_rows)});
   static TeamChoice choice;  // one for every pass of the program
   in_parts(
-      choice, static_cast<double>(p.disc.nodes()), p.threads, p.threads,
+      choice, static_cast<double>(p.body.nodes()), p.threads, p.threads,
       [&](int part) {
         auto& buffer = buffers[static_cast<std::size_t>(part)];
         p.points.for_part(part, p.threads, [&](Index first, Index last, Runs runs) {
@@ -101,11 +101,11 @@ void StiffnessProduct<D>::product(const VectorField<D>& x, VectorField<D>& force
           out.base = first;
           products.divergence(tables.divergence, runs, p.stress.window(), out.at(first), first);
           for (Index q = first; q < last; ++q)
-            for (int i = 0; i < D; ++i) force(q, i) = p.disc.mass[q] * out.at(q)[i];
+            for (int i = 0; i < D; ++i) force(q, i) = p.body.mass[q] * out.at(q)[i];
         });
       });
-  if (p.state != nullptr && p.disc.stiffness.nonZeros() > 0)
-    subtract_differences<D>(p.disc.stiffness, x, force);
+  if (p.state != nullptr && p.body.stiffness.nonZeros() > 0)
+    subtract_differences<D>(p.body.stiffness, x, force);
 }
 
 template class StiffnessProduct<1>;

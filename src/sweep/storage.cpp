@@ -114,19 +114,19 @@ void set_stencils(RowWeights& table, const RowStorage& rows) {
 }
 
 template <int D>
-Storage<D>::Storage(const Discretisation<D>& disc, bool single)
-    : inverse_mass(disc.mass.cwiseInverse()), disc_(disc) {
-  tables.modes = !disc.hourglass.empty();
-  const Neighbours& gradient_pattern = disc.gradient.pattern();
-  const Neighbours& divergence_pattern = disc.divergence.pattern();
-  const std::span<const double> amplitudes(disc.hourglass.weights);
-  gradient = share_rows(gradient_pattern, disc.gradient.weights(), D, 0.0, amplitudes);
-  general_gradient_ = general_rows(gradient, disc.gradient, amplitudes, single, tables.gradient);
+Storage<D>::Storage(const Discretisation<D>& body, bool single)
+    : inverse_mass(body.mass.cwiseInverse()), disc_(body) {
+  tables.modes = !body.hourglass.empty();
+  const Neighbours& gradient_pattern = body.gradient.pattern();
+  const Neighbours& divergence_pattern = body.divergence.pattern();
+  const std::span<const double> amplitudes(body.hourglass.weights);
+  gradient = share_rows(gradient_pattern, body.gradient.weights(), D, 0.0, amplitudes);
+  general_gradient_ = general_rows(gradient, body.gradient, amplitudes, single, tables.gradient);
   const std::vector<double> forces = mode_forces();
   divergence = with_row_factors(
-      share_rows(divergence_pattern, disc.divergence.weights(), D, 0.0, forces), inverse_mass);
+      share_rows(divergence_pattern, body.divergence.weights(), D, 0.0, forces), inverse_mass);
   general_divergence_ =
-      general_rows(divergence, disc.divergence, forces, single, tables.divergence);
+      general_rows(divergence, body.divergence, forces, single, tables.divergence);
   set_stencils(tables.gradient, gradient);
   set_stencils(tables.divergence, divergence);
   tables.divergence.row_scale = inverse_mass.data();

@@ -50,7 +50,7 @@ struct StrainMonitor<D>::Parts {
   };
   using Stored = std::array<const float*, static_cast<std::size_t>(D)>;
 
-  const Discretisation<D>& disc;
+  const Discretisation<D>& body;
   const Loops<D>& loops;
   const Storage<D>* storage = nullptr;
   Index points;
@@ -60,12 +60,12 @@ struct StrainMonitor<D>::Parts {
   std::vector<Buffer> buffers;
 
   explicit Parts(const Discretisation<D>& discretisation)
-      : disc(discretisation),
+      : body(discretisation),
         loops(sweep::loops<D>(Instructions::widest)),
-        points(disc.points.size()),
+        points(body.points.size()),
         blocks({}, points),
-        laws(region_laws<D>(disc, loops, false)),
-        regions(regions_of_points(disc)) {
+        laws(region_laws<D>(body, loops, false)),
+        regions(regions_of_points(body)) {
     const int threads = worth_threads(points) ? omp_get_max_threads() : 1;
     for (int t = 0; t < threads; ++t) buffers.push_back({Fields<D>(D + 1, block_rows), {}});
   }
@@ -121,8 +121,8 @@ struct StrainMonitor<D>::Parts {
 };
 
 template <int D>
-StrainMonitor<D>::StrainMonitor(const Discretisation<D>& disc)
-    : parts_(std::make_unique<Parts>(disc)) {}
+StrainMonitor<D>::StrainMonitor(const Discretisation<D>& body)
+    : parts_(std::make_unique<Parts>(body)) {}
 template <int D>
 StrainMonitor<D>::~StrainMonitor() = default;
 

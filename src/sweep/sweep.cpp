@@ -13,11 +13,11 @@ template <int D>
 struct Sweep<D>::Parts {
   using Workers = std::vector<std::unique_ptr<sweep::Worker<D>>>;
 
-  const Discretisation<D>& disc;
+  const Discretisation<D>& body;
   int threads;
   TeamChoice choice;
   sweep::Storage<D> storage;
-  sweep::SweepBody<D> body;
+  sweep::SweepBody<D> shared;
   Workers points;  // that go by the points
   std::optional<sweep::Stiffness<D>> stiffness;
   sweep::Operators product;
@@ -26,22 +26,22 @@ struct Sweep<D>::Parts {
   std::vector<double> curve_values;
 
   Parts(const Discretisation<D>& discretisation, const SweepOptions& options)
-      : disc(discretisation),
+      : body(discretisation),
         threads(std::max(1, options.threads)),
         storage(discretisation, options.single_weights),
-        body{.disc = disc, .loops = sweep::loops<D>(options.instructions)},
+        shared{.discretisation = body, .loops = sweep::loops<D>(options.instructions)},
         good(static_cast<std::size_t>(threads), 1),
-        curve_values(disc.constraints.curves.size(), 0.0) {
-    body.laws = sweep::region_laws<D>(disc, body.loops, options.linearised);
-    if (disc.has_body_force() && !options.linearised) body.body_force = disc.body_force;
-    body.pressures.assign(disc.loads.size(), 0.0);
-    const BoundaryForces<D> booked(disc);
-    body.constrained.assign(booked.nodes.size() * D, 0);
+        curve_values(body.constraints.curves.size(), 0.0) {
+    shared.laws = sweep::region_laws<D>(body, shared.loops, options.linearised);
+    if (body.has_body_force() && !options.linearised) shared.body_force = body.body_force;
+    shared.pressures.assign(body.loads.size(), 0.0);
+    const BoundaryForces<D> booked(body);
+    shared.constrained.assign(booked.nodes.size() * D, 0);
     for (const auto* list : {&booked.fixed, &booked.held, &booked.moved})
-      for (const Index slot : *list) body.constrained[static_cast<std::size_t>(slot)] = 1;
+      for (const Index slot : *list) shared.constrained[static_cast<std::size_t>(slot)] = 1;
 
     sweep::PlanInput input = storage.plan_input();
-    input.regions = sweep::regions_of_points(disc);
+    input.regions = sweep::regions_of_points(body);
     const auto workers = [&](const sweep::Operators& operators, sweep::PlanInput& plan) {
       plan.components = D;
       plan.booked = booked.nodes;
@@ -49,29 +49,29 @@ struct Sweep<D>::Parts {
       Workers result;
       for (int t = 0; t < threads; ++t)
         result.push_back(std::make_unique<sweep::Worker<D>>(
-            body, operators,
-            make_plan(plan, disc.nodes() * t / threads, disc.nodes() * (t + 1) / threads,
+            shared, operators,
+            make_plan(plan, body.nodes() * t / threads, body.nodes() * (t + 1) / threads,
                       threads == 1)));
       return result;
     };
     points = workers(storage.tables, input);
     for (std::size_t t = 1; t < points.size(); ++t)
       points[t - 1]->last_observed = points[t]->first_observed = points[t]->first_point();
-    points.back()->last_observed = disc.points.size();
+    points.back()->last_observed = body.points.size();
     if (options.form == StepForm::points || options.linearised) return;
     compose(options.form == StepForm::stiffness);
     if (!stiffness) return;
-    const std::vector<RowRun> all = {{0, static_cast<int>(disc.nodes()), 0, no_stencil}};
+    const std::vector<RowRun> all = {{0, static_cast<int>(body.nodes()), 0, no_stencil}};
     input = stiffness->plan_input(all);
     products = workers(product, input);
   }
 
   [[nodiscard]] std::vector<sweep::NodeLoad> node_loads() const {
     std::vector<sweep::NodeLoad> loads;
-    for (std::size_t l = 0; l < disc.loads.size(); ++l)
-      for (std::size_t k = 0; k < disc.loads[l].dof.size(); ++k) {
-        const Index dof = disc.loads[l].dof[k];
-        loads.push_back({dof, disc.loads[l].weight[k] * storage.inverse_mass[dof / D], l});
+    for (std::size_t l = 0; l < body.loads.size(); ++l)
+      for (std::size_t k = 0; k < body.loads[l].dof.size(); ++k) {
+        const Index dof = body.loads[l].dof[k];
+        loads.push_back({dof, body.loads[l].weight[k] * storage.inverse_mass[dof / D], l});
       }
     std::ranges::stable_sort(loads, {}, &sweep::NodeLoad::dof);
     return loads;
@@ -79,9 +79,9 @@ struct Sweep<D>::Parts {
 
   /// The stiffness, if there is one and it is asked for or less work.
   void compose(bool asked_for) {
-    stiffness = sweep::stiffness_of(disc, storage, body.laws,
-                                    asked_for ? disc.nodes() : 64 + disc.nodes() / 16);
-    if (stiffness && !asked_for && stiffness->work >= sweep::work_of_points(disc))
+    stiffness = sweep::stiffness_of(body, storage, shared.laws,
+                                    asked_for ? body.nodes() : 64 + body.nodes() / 16);
+    if (stiffness && !asked_for && stiffness->work >= sweep::work_of_points(body))
       stiffness.reset();
     if (!stiffness) return;
     product.rows = stiffness->table();
@@ -93,8 +93,8 @@ struct Sweep<D>::Parts {
   /// False where a state has no stress. The parts are the same whoever makes them, and so are the
   /// results.
   [[nodiscard]] bool pass(const Workers& workers, const sweep::StepArguments<D>& step) {
-    for (std::size_t l = 0; l < disc.loads.size(); ++l)
-      body.pressures[l] = value(disc.loads[l].curve, step.state.time);
+    for (std::size_t l = 0; l < body.loads.size(); ++l)
+      shared.pressures[l] = value(body.loads[l].curve, step.state.time);
     const auto phase = [&](auto make) {
       return [&, make](int part) {
         const auto t = static_cast<std::size_t>(part);
@@ -114,20 +114,20 @@ struct Sweep<D>::Parts {
         for (Index dof = part->first() * D; dof < part->reached() * D; ++dof) act(dof);
     };
     for_moved([&](Index dof) {
-      if (disc.inverse_mass.data()[dof] != 0.0) state.u.data()[dof] -= dt * state.v.data()[dof];
+      if (body.inverse_mass.data()[dof] != 0.0) state.u.data()[dof] -= dt * state.v.data()[dof];
     });
-    evaluate_unchecked<D>(disc, state);
+    evaluate_unchecked<D>(body, state);
     for_moved([&](Index dof) {
-      state.v.data()[dof] -= kick * disc.inverse_mass.data()[dof] * state.f.data()[dof];
+      state.v.data()[dof] -= kick * body.inverse_mass.data()[dof] * state.f.data()[dof];
     });
-    report_failure<D>(disc, state);
+    report_failure<D>(body, state);
   }
 
   void move(State<D>& state, double dt, BoundaryForces<D>& forces) {
     for (std::size_t c = 0; c < curve_values.size(); ++c)
-      curve_values[c] = value(disc.constraints.curves[c], state.time);
+      curve_values[c] = value(body.constraints.curves[c], state.time);
     for (std::size_t k = 0; k < forces.moved.size(); ++k) {
-      const auto& motion = disc.constraints.moved[k];
+      const auto& motion = body.constraints.moved[k];
       const double next = curve_values[motion.curve];
       state.v.data()[motion.dof] = (next - forces.u.data()[forces.moved[k]]) / dt;
       state.u.data()[motion.dof] = next;
@@ -137,17 +137,17 @@ struct Sweep<D>::Parts {
 };
 
 template <int D>
-bool Sweep<D>::possible(const Discretisation<D>& disc) {
+bool Sweep<D>::possible(const Discretisation<D>& body) {
   const bool signals =
-      !disc.gradient_terms.empty() || !disc.force_terms.empty() || !disc.stress_values.empty();
-  const bool rows_of_both = disc.viscosity.nonZeros() > 0 && disc.stiffness.nonZeros() > 0;
-  return disc.memory() == 0 && disc.ghosts == nullptr && !signals && disc.reactions.empty() &&
-         !disc.gradient.per_component() && !disc.divergence.per_component() && !rows_of_both;
+      !body.gradient_terms.empty() || !body.force_terms.empty() || !body.stress_values.empty();
+  const bool rows_of_both = body.viscosity.nonZeros() > 0 && body.stiffness.nonZeros() > 0;
+  return body.memory() == 0 && body.ghosts == nullptr && !signals && body.reactions.empty() &&
+         !body.gradient.per_component() && !body.divergence.per_component() && !rows_of_both;
 }
 
 template <int D>
-Sweep<D>::Sweep(const Discretisation<D>& disc, const SweepOptions& options)
-    : parts_(std::make_unique<Parts>(disc, options)) {}
+Sweep<D>::Sweep(const Discretisation<D>& body, const SweepOptions& options)
+    : parts_(std::make_unique<Parts>(body, options)) {}
 
 template <int D>
 Sweep<D>::Sweep(Sweep&&) noexcept = default;
@@ -175,11 +175,11 @@ std::optional<double> Sweep<D>::stiffness_multiply_adds() const {
 template <int D>
 void Sweep<D>::step(State<D>& state, double dt, double next_time, BoundaryForces<D>& forces) {
   Parts& parts = *parts_;
-  if (D > 1 && parts.disc.has_body_force())
-    forces.moment_of_mass = moment_of_mass<D>(parts.disc, state.u);
+  if (D > 1 && parts.body.has_body_force())
+    forces.moment_of_mass = moment_of_mass<D>(parts.body, state.u);
   const double kick = 0.5 * (state.last_dt + dt);
   if (!parts.pass(parts.stepping(), {state, &forces, kick, dt})) parts.fail(state, kick, dt);
-  std::ranges::copy(parts.body.pressures, forces.load_values.begin());
+  std::ranges::copy(parts.shared.pressures, forces.load_values.begin());
   forces.viscous_power = forces.viscous_power_after = forces.largest_speed = 0.0;
   for (const auto& part : parts.stepping()) {
     forces.viscous_power += part->viscous_power;
@@ -195,8 +195,8 @@ void Sweep<D>::step(State<D>& state, double dt, double next_time, BoundaryForces
 template <int D>
 void Sweep<D>::evaluate(State<D>& state) {
   if (parts_->pass(parts_->points, {state})) return;
-  evaluate_unchecked<D>(parts_->disc, state);
-  report_failure<D>(parts_->disc, state);
+  evaluate_unchecked<D>(parts_->body, state);
+  report_failure<D>(parts_->body, state);
 }
 
 template class Sweep<1>;

@@ -148,7 +148,7 @@ void Worker<D>::observe_nodes(const Task& task, State<D>& state) {
   add_loads(task, a);
   const auto write = [&](const double* from, VectorField<D>& field) {
     for (Index q = task.first; q < task.last; ++q)
-      for (int i = 0; i < D; ++i) field(q, i) = body_.disc.mass[q] * *from++;
+      for (int i = 0; i < D; ++i) field(q, i) = body_.discretisation.mass[q] * *from++;
   };
   write(a, state.f);
   if (op_.viscous) write(rows_.window.at(task.first), state.viscous);
@@ -161,7 +161,7 @@ double Worker<D>::power(const Task& task, const State<D>& state) const {
   const double* v = state.v.data() + task.first * D;
   double sum = 0.0;
   for (Index k = 0; k < (task.last - task.first) * D; ++k)
-    sum += body_.disc.mass[task.first + k / D] * row[k] * v[k];
+    sum += body_.discretisation.mass[task.first + k / D] * row[k] * v[k];
   return sum;
 }
 
@@ -181,7 +181,7 @@ void Worker<D>::move_special(const Task& task, Part some, double* a, const StepA
   add_loads(task, a);
   for_booked([&](Index k, int i, Index node, bool constrained) {
     double& own = a[(node - task.first) * D + i];
-    forces.f(k, i) = body_.disc.mass[node] * own;
+    forces.f(k, i) = body_.discretisation.mass[node] * own;
     forces.u(k, i) = step.state.u(node, i);
     forces.v(k, i) = step.state.v(node, i);
     if (constrained) own = 0.0;

@@ -14,7 +14,7 @@ namespace tlsph::sweep {
 /// What all workers share, constant during a step.
 template <int D>
 struct SweepBody {
-  const Discretisation<D>& disc;
+  const Discretisation<D>& discretisation;
   const Loops<D>& loops;
   std::vector<RegionLaw<D>> laws = {};
   Vector<D> body_force = Vector<D>::Zero();  ///< acceleration [m/s²]

@@ -91,57 +91,58 @@ void count(benchmark::State& run, Index particles) {
 }
 
 template <int D>
-State<D> at_rest(const Discretisation<D>& disc) {
-  State<D> state = make_state<D>(disc, 1e-6 * disc.particles.X, 0.0 * disc.particles.X);
-  evaluate<D>(disc, state);
-  start<D>(disc, state, dt);
+State<D> at_rest(const Discretisation<D>& discretisation) {
+  State<D> state = make_state<D>(discretisation, 1e-6 * discretisation.particles.X,
+                                 0.0 * discretisation.particles.X);
+  evaluate<D>(discretisation, state);
+  start<D>(discretisation, state, dt);
   return state;
 }
 
 template <int D>
 void sweep(benchmark::State& run, const Body& body, const SweepOptions& options) {
-  const Discretisation<D> disc = sheet<D>(body, run.range(0));
-  State<D> state = at_rest<D>(disc);
-  Sweep<D> sweep(disc, options);
-  BoundaryForces<D> forces(disc);
+  const Discretisation<D> discretisation = sheet<D>(body, run.range(0));
+  State<D> state = at_rest<D>(discretisation);
+  Sweep<D> sweep(discretisation, options);
+  BoundaryForces<D> forces(discretisation);
   for (auto _ : run) sweep.step(state, dt, state.time + dt, forces);
-  count(run, disc.nodes());
+  count(run, discretisation.nodes());
 }
 
 /// The same step operator by operator.
 template <int D>
 void operators(benchmark::State& run, const Body& body) {
-  const Discretisation<D> disc = sheet<D>(body, run.range(0));
-  State<D> state = at_rest<D>(disc);
+  const Discretisation<D> discretisation = sheet<D>(body, run.range(0));
+  State<D> state = at_rest<D>(discretisation);
   for (auto _ : run) {
-    evaluate<D>(disc, state);
-    advance<D>(disc, state, dt, state.time + dt);
+    evaluate<D>(discretisation, state);
+    advance<D>(discretisation, state, dt, state.time + dt);
   }
-  count(run, disc.nodes());
+  count(run, discretisation.nodes());
 }
 
 template <int D>
 void plain(benchmark::State& run, const Body& body) {
-  const Discretisation<D> disc = sheet<D>(body, run.range(0));
-  PlainStep<D> step(disc, at_rest<D>(disc).u);
+  const Discretisation<D> discretisation = sheet<D>(body, run.range(0));
+  PlainStep<D> step(discretisation, at_rest<D>(discretisation).u);
   for (auto _ : run) step.step(dt);
-  count(run, disc.nodes());
+  count(run, discretisation.nodes());
 }
 
 template <int D>
 void gradient_product(benchmark::State& run, const Body& body) {
-  const Discretisation<D> disc = sheet<D>(body, run.range(0));
-  State<D> state = at_rest<D>(disc);
-  for (auto _ : run) disc.gradient.gradient(state.u, state.H);
-  count(run, disc.nodes());
+  const Discretisation<D> discretisation = sheet<D>(body, run.range(0));
+  State<D> state = at_rest<D>(discretisation);
+  for (auto _ : run) discretisation.gradient.gradient(state.u, state.H);
+  count(run, discretisation.nodes());
 }
 
 template <int D>
 void divergence_product(benchmark::State& run, const Body& body) {
-  const Discretisation<D> disc = sheet<D>(body, run.range(0));
-  State<D> state = at_rest<D>(disc);
-  for (auto _ : run) disc.divergence.divergence(state.P, state.f);
-  count(run, disc.nodes());
+  const Discretisation<D> discretisation = sheet<D>(body, run.range(0));
+  State<D> state = at_rest<D>(discretisation);
+  for (auto _ : run) discretisation.divergence.divergence(state.P, state.f);
+  count(run, discretisation.nodes());
 }
 
 void law(benchmark::State& run, LawName name, Assumption assumption) {

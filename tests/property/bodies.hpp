@@ -208,8 +208,8 @@ AnyLaw<D> law_of(const Material& material) {
 
 /// The same discretisation with another material: operators do not depend on it, stabilisers do.
 template <int D>
-void set_material(Discretisation<D>& disc, const Material& material) {
-  disc.regions.front().law = law_of<D>(material);
+void set_material(Discretisation<D>& body, const Material& material) {
+  body.regions.front().law = law_of<D>(material);
 }
 
 /// Numbers in [−1, 1), the same on every machine.
@@ -249,22 +249,22 @@ inline Tensor<2> rotation(double angle) {
 
 /// The body at rest at displacements u, with H, P and f there.
 template <int D>
-State<D> evaluated(const Discretisation<D>& disc, const VectorField<D>& u) {
-  State<D> state = make_state<D>(disc, u, VectorField<D>::Zero(disc.nodes(), D));
-  evaluate<D>(disc, state);
+State<D> evaluated(const Discretisation<D>& body, const VectorField<D>& u) {
+  State<D> state = make_state<D>(body, u, VectorField<D>::Zero(body.nodes(), D));
+  evaluate<D>(body, state);
   return state;
 }
 
 /// K = −∂f/∂u at rest, dense, degrees of freedom in the order of the fields; for linear elasticity.
 template <int D>
-Eigen::MatrixXd dense_stiffness(const Discretisation<D>& disc) {
-  const Index dofs = disc.nodes() * D;
-  State<D> state = evaluated<D>(disc, VectorField<D>::Zero(disc.nodes(), D));
+Eigen::MatrixXd dense_stiffness(const Discretisation<D>& body) {
+  const Index dofs = body.nodes() * D;
+  State<D> state = evaluated<D>(body, VectorField<D>::Zero(body.nodes(), D));
   Eigen::MatrixXd K(dofs, dofs);
   for (Index k = 0; k < dofs; ++k) {
     state.u.setZero();
     state.u.data()[k] = 1.0;
-    evaluate<D>(disc, state);
+    evaluate<D>(body, state);
     K.col(k) = -Eigen::Map<const Eigen::VectorXd>(state.f.data(), dofs);
   }
   return K;
@@ -272,31 +272,31 @@ Eigen::MatrixXd dense_stiffness(const Discretisation<D>& disc) {
 
 /// A body strained by a tenth, and every particle moved a little on top.
 template <int D>
-VectorField<D> deformed(const Discretisation<D>& disc, Random& random) {
+VectorField<D> deformed(const Discretisation<D>& body, Random& random) {
   const Tensor<D> A = random.tensor<D>(0.1);
   Vector<D> b;
   for (int i = 0; i < D; ++i) b[i] = 0.3 * random();
-  return affine<D>(disc.particles.X, A, b) + random.field<D>(disc.nodes(), 0.05 * disc.spacing);
+  return affine<D>(body.particles.X, A, b) + random.field<D>(body.nodes(), 0.05 * body.spacing);
 }
 
 /// A run of `steps` equal steps as the time loop makes them, calling observe(state, done) at
 /// every `every`-th instant, the first and the last included, with H, P and f there.
 template <int D, class Observe>
-void march(const Discretisation<D>& disc, State<D>& state, double dt, long steps, long every,
+void march(const Discretisation<D>& body, State<D>& state, double dt, long steps, long every,
            const Observe& observe) {
   WorkAndImpulse<D> done;
-  BoundaryForces<D> forces(disc);
-  const Instant<D> now{disc, state, dt};
-  evaluate<D>(disc, state);
-  start<D>(disc, state, dt);
+  BoundaryForces<D> forces(body);
+  const Instant<D> now{body, state, dt};
+  evaluate<D>(body, state);
+  start<D>(body, state, dt);
   for (long n = 0;; ++n) {
-    evaluate<D>(disc, state);
+    evaluate<D>(body, state);
     forces.gather(now);
     if (n > 0) done.add_before(forces, now);
     if (n % every == 0 || n == steps) observe(state, done);
     if (n == steps) return;
     done.add_after(forces, now);
-    advance<D>(disc, state, dt, static_cast<double>(n + 1) * dt);
+    advance<D>(body, state, dt, static_cast<double>(n + 1) * dt);
   }
 }
 

@@ -27,13 +27,13 @@ inline constexpr double way_here = 0.9 * dt;  // the step before was another
 /// A deformed body on its way, its middle at rest: what cancels in differences of a displacement is
 /// not what is compared here.
 template <int D>
-State<D> moving(const Discretisation<D>& disc, double strain = 0.1) {
+State<D> moving(const Discretisation<D>& body, double strain = 0.1) {
   Random random(11);
   const Tensor<D> A = random.tensor<D>(strain);
-  const Vector<D> middle = disc.particles.X.colwise().mean().transpose();
-  VectorField<D> u = affine<D>(disc.particles.X, A, -A * middle) +
-                     random.field<D>(disc.nodes(), 0.5 * strain * disc.spacing);
-  State<D> state = make_state<D>(disc, std::move(u), random.field<D>(disc.nodes(), 3.0));
+  const Vector<D> middle = body.particles.X.colwise().mean().transpose();
+  VectorField<D> u = affine<D>(body.particles.X, A, -A * middle) +
+                     random.field<D>(body.nodes(), 0.5 * strain * body.spacing);
+  State<D> state = make_state<D>(body, std::move(u), random.field<D>(body.nodes(), 3.0));
   state.time = now;
   state.last_dt = way_here;
   return state;
@@ -53,34 +53,34 @@ void expect_the_same_fields(Sweep<D>& sweep, State<D> state, const State<D>& exp
 
 /// Books and fields after one step, each way, against those of `evaluate` and `advance`.
 template <int D>
-void expect_the_same_step(const Discretisation<D>& disc, double strain = 0.1,
+void expect_the_same_step(const Discretisation<D>& body, double strain = 0.1,
                           StepForm form = StepForm::points) {
-  ASSERT_TRUE(Sweep<D>::possible(disc));
-  State<D> expected = moving<D>(disc, strain);
+  ASSERT_TRUE(Sweep<D>::possible(body));
+  State<D> expected = moving<D>(body, strain);
   WorkAndImpulse<D> books;
-  evaluate<D>(disc, expected);
-  State<D> at_now = moving<D>(disc, strain);
-  evaluate<D>(disc, at_now);
+  evaluate<D>(body, expected);
+  State<D> at_now = moving<D>(body, strain);
+  evaluate<D>(body, at_now);
   const double force = expected.f.cwiseAbs().maxCoeff();
-  const double velocity = 3.0 + dt * disc.inverse_mass.maxCoeff() * force;
-  BoundaryForces<D> gathered(disc);
-  gathered.gather({disc, expected, dt});
-  books.add_before(gathered, {disc, expected, dt});
-  books.add_after(gathered, {disc, expected, dt});
-  advance<D>(disc, expected, dt, now + dt);
+  const double velocity = 3.0 + dt * body.inverse_mass.maxCoeff() * force;
+  BoundaryForces<D> gathered(body);
+  gathered.gather({body, expected, dt});
+  books.add_before(gathered, {body, expected, dt});
+  books.add_after(gathered, {body, expected, dt});
+  advance<D>(body, expected, dt, now + dt);
 
   for (const SweepOptions& way : ways(form)) {
     SCOPED_TRACE(fmt::format("{} threads, instructions {}, form {}", way.threads,
                              static_cast<int>(way.instructions), static_cast<int>(form)));
-    State<D> state = moving<D>(disc, strain);
-    Sweep<D> sweep(disc, way);
+    State<D> state = moving<D>(body, strain);
+    Sweep<D> sweep(body, way);
     ASSERT_EQ(sweep.stiffness_multiply_adds().has_value(), form == StepForm::stiffness);
-    BoundaryForces<D> forces(disc);
+    BoundaryForces<D> forces(body);
     WorkAndImpulse<D> own;
     sweep.step(state, dt, now + dt, forces);
-    own.add_step(disc, forces, state, {way_here, dt, false});
+    own.add_step(body, forces, state, {way_here, dt, false});
 
-    expect_the_same_fields(sweep, moving<D>(disc, strain), at_now);
+    expect_the_same_fields(sweep, moving<D>(body, strain), at_now);
     EXPECT_LE((state.v - expected.v).cwiseAbs().maxCoeff(), 1e-13 * velocity);
     EXPECT_LE((state.u - expected.u).cwiseAbs().maxCoeff(),
               1e-13 * expected.u.cwiseAbs().maxCoeff());
@@ -88,7 +88,7 @@ void expect_the_same_step(const Discretisation<D>& disc, double strain = 0.1,
     EXPECT_EQ(state.step, expected.step);
     EXPECT_EQ(state.time, expected.time);
     EXPECT_EQ(state.last_dt, expected.last_dt);
-    const double impulse = dt * force * static_cast<double>(disc.nodes());
+    const double impulse = dt * force * static_cast<double>(body.nodes());
     EXPECT_NEAR(own.external_work, books.external_work, 1e-13 * impulse * velocity);
     EXPECT_NEAR(own.dissipated, books.dissipated, 1e-13 * impulse * velocity);
     EXPECT_LE((own.impulse - books.impulse).norm(), 1e-13 * impulse);

@@ -24,7 +24,7 @@ struct Range {
 [[nodiscard]] constexpr Range above(double low) {
   return {low};
 }
-[[nodiscard]] constexpr Range at_least(double low) {
+[[nodiscard]] constexpr Range not_below(double low) {
   return {.low = low, .with_low = true};
 }
 /// Without its ends.

@@ -9,8 +9,8 @@
 namespace tlsph {
 
 template <int D>
-[[nodiscard]] bool has_stabiliser(const Discretisation<D>& disc) {
-  return !disc.hourglass.empty() || disc.stiffness.nonZeros() > 0;
+[[nodiscard]] bool has_stabiliser(const Discretisation<D>& body) {
+  return !body.hourglass.empty() || body.stiffness.nonZeros() > 0;
 }
 
 /// f −= S u (N×d both) [N per thickness]. Takes nothing from the heap.

@@ -38,6 +38,6 @@ template <int D>
 /// them. InputError where the particles do not carry the formulation.
 template <int D>
 void add_operators(Formulation formulation, const OperatorChoices& choices, const Edges<D>& edges,
-                   Discretisation<D>& disc);
+                   Discretisation<D>& body);
 
 }  // namespace tlsph

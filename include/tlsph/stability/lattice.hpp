@@ -10,6 +10,6 @@ namespace tlsph {
 /// What the linearised forces make of a push at the middle of a lattice that is so large that its
 /// boundary does not matter there.
 template <int D>
-[[nodiscard]] LatticeSymbol<D> lattice_symbol(const Discretisation<D>& disc, const State<D>& state);
+[[nodiscard]] LatticeSymbol<D> lattice_symbol(const Discretisation<D>& body, const State<D>& state);
 
 }  // namespace tlsph

@@ -15,14 +15,14 @@ template <int D>
 class PlainStep {
  public:
   /// Of a free body of one law.
-  PlainStep(const Discretisation<D>& disc, const VectorField<D>& u)
-      : disc_(disc), stabiliser_(stabiliser_matrix<D>(disc)), u_(u) {
+  PlainStep(const Discretisation<D>& body, const VectorField<D>& u)
+      : disc_(body), stabiliser_(stabiliser_matrix<D>(body)), u_(u) {
     for (int a = 0; a < D; ++a) {
-      gradient_.push_back(disc.gradient.matrix(a));
-      divergence_.push_back(disc.divergence.matrix(a));
+      gradient_.push_back(body.gradient.matrix(a));
+      divergence_.push_back(body.divergence.matrix(a));
     }
     v_ = f_ = Columns<D>::Zero(u.rows(), D);
-    H_ = P_ = Columns<D * D>::Zero(disc.points.size(), D * D);
+    H_ = P_ = Columns<D * D>::Zero(body.points.size(), D * D);
   }
 
   void step(double dt) {

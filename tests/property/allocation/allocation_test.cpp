@@ -131,23 +131,23 @@ symmetry = true
 }
 
 template <int D>
-long allocations_of_ten_sweeps(const Discretisation<D>& disc, const Probes<D>& probes,
+long allocations_of_ten_sweeps(const Discretisation<D>& body, const Probes<D>& probes,
                                State<D>& state, double dt) {
   SweepOptions options;
-  options.threads = worth_threads(disc.nodes()) ? omp_get_max_threads() : 1;
-  Sweep<D> sweep(disc, options);
-  BoundaryForces<D> forces(disc);
-  const PartialEvaluation<D> probed(disc, probes.nodes(), probes.points());
+  options.threads = worth_threads(body.nodes()) ? omp_get_max_threads() : 1;
+  Sweep<D> sweep(body, options);
+  BoundaryForces<D> forces(body);
+  const PartialEvaluation<D> probed(body, probes.nodes(), probes.points());
   std::vector<double> row(probes.columns().size());
   WorkAndImpulse<D> done;
 
   const long before = allocations;
   for (int n = 0; n < 10; ++n) {
     sweep.evaluate(state);
-    probed.evaluate(disc, state);
-    probes.sample({disc, state, dt}, row);
+    probed.evaluate(body, state);
+    probes.sample({body, state, dt}, row);
     sweep.step(state, dt, state.time + dt, forces);
-    done.add_step(disc, forces, state, {dt, dt, false});
+    done.add_step(body, forces, state, {dt, dt, false});
   }
   const long during = allocations - before;
 
@@ -156,40 +156,40 @@ long allocations_of_ten_sweeps(const Discretisation<D>& disc, const Probes<D>& p
 }
 
 template <int D>
-long allocations_of_ten_steps(const Scene& scene, const Discretisation<D>& disc) {
-  const InitialState<D> initial = build_initial<D>(scene, disc);
-  State<D> state = make_state<D>(disc, initial.displacement, initial.velocity);
-  evaluate<D>(disc, state);
-  const double dt = 0.5 * critical_step<D>(disc, state).dt;
-  start<D>(disc, state, dt);
+long allocations_of_ten_steps(const Scene& scene, const Discretisation<D>& body) {
+  const InitialState<D> initial = build_initial<D>(scene, body);
+  State<D> state = make_state<D>(body, initial.displacement, initial.velocity);
+  evaluate<D>(body, state);
+  const double dt = 0.5 * critical_step<D>(body, state).dt;
+  start<D>(body, state, dt);
   Vector<D> between = Vector<D>::Constant(0.0537);
   const Probes<D> probes(
-      disc, {{"p",
+      body, {{"p",
               between,
               {"displacement", "velocity", "acceleration", "deformation_gradient", "pk1", "cauchy",
                "pressure", "von_mises"}}});
   std::vector<double> row(probes.columns().size());
   WorkAndImpulse<D> done;
-  BoundaryForces<D> forces(disc);
-  const Instant<D> now{disc, state, dt};
+  BoundaryForces<D> forces(body);
+  const Instant<D> now{body, state, dt};
 
   const long before = allocations;
   double kinetic = 0.0;
   for (int n = 0; n < 10; ++n) {
-    evaluate<D>(disc, state);
+    evaluate<D>(body, state);
     forces.gather(now);
     if (n > 0) done.add_before(forces, now);
     kinetic += balance<D>(now).kinetic;
     probes.sample(now, row);
     done.add_after(forces, now);
-    advance<D>(disc, state, dt, state.time + dt);
+    advance<D>(body, state, dt, state.time + dt);
   }
   const long during = allocations - before;
 
   EXPECT_NE(kinetic, 0.0);
   EXPECT_TRUE(std::isfinite(row.back()));
   return during +
-         (Sweep<D>::possible(disc) ? allocations_of_ten_sweeps<D>(disc, probes, state, dt) : 0);
+         (Sweep<D>::possible(body) ? allocations_of_ten_sweeps<D>(body, probes, state, dt) : 0);
 }
 
 class Step : public testing::TestWithParam<Case> {};
@@ -198,7 +198,7 @@ TEST_P(Step, TakesNothingFromTheHeap) {
   const Scene scene = read_scene_text(GetParam().text, GetParam().name);
   long during = -1;
 
-  discretised(scene, [&](const auto& disc) { during = allocations_of_ten_steps(scene, disc); });
+  discretised(scene, [&](const auto& body) { during = allocations_of_ten_steps(scene, body); });
 
   EXPECT_EQ(during, 0);
 }
@@ -211,12 +211,12 @@ TEST(SharedStep, TakesNothingFromTheHeap) {
       read_scene_text("[body]\nshape = { box = [[0.0, 0.0], [0.6, 0.6]] }\nspacing = 0.01\n" +
                           tail + "[initial]\nvelocity = { gradient = [[0.1, 0.0], [0.0, 0.2]] }\n",
                       "large");
-  const auto disc = build<2>(scene);
-  ASSERT_GT(disc.nodes(), parallel_rows);
+  const auto body = build<2>(scene);
+  ASSERT_GT(body.nodes(), parallel_rows);
   const int before = omp_get_max_threads();
   omp_set_num_threads(2);
 
-  const long during = allocations_of_ten_steps<2>(scene, disc);
+  const long during = allocations_of_ten_steps<2>(scene, body);
 
   omp_set_num_threads(before);
   EXPECT_EQ(during, 0);

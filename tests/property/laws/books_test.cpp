@@ -19,22 +19,22 @@ struct Entry {
 /// The books of every step of a run, from the scene's initial state.
 std::vector<Entry> books_of(const Scene& scene, double share_of_critical, long steps) {
   std::vector<Entry> entries;
-  discretised(scene, [&]<int D>(const Discretisation<D>& disc) {
-    InitialState<D> initial = build_initial<D>(scene, disc);
-    State<D> state = make_state<D>(disc, initial.displacement, initial.velocity);
-    evaluate<D>(disc, state);
-    const double dt = share_of_critical * critical_step<D>(disc, state).dt;
+  discretised(scene, [&]<int D>(const Discretisation<D>& body) {
+    InitialState<D> initial = build_initial<D>(scene, body);
+    State<D> state = make_state<D>(body, initial.displacement, initial.velocity);
+    evaluate<D>(body, state);
+    const double dt = share_of_critical * critical_step<D>(body, state).dt;
     Balance<D> first;
     double gravity = 0.0;
-    march<D>(disc, state, dt, steps, 1, [&](const State<D>& now, const WorkAndImpulse<D>& ledger) {
-      const Balance<D> books = balance<D>({disc, now, dt});
+    march<D>(body, state, dt, steps, 1, [&](const State<D>& now, const WorkAndImpulse<D>& ledger) {
+      const Balance<D> books = balance<D>({body, now, dt});
       if (now.step == 0) {
         first = books;
         gravity = books.gravity;
       }
       Entry entry;
       entry.energy = books.kinetic + books.elastic;
-      if (disc.viscosity.nonZeros() > 0)
+      if (body.viscosity.nonZeros() > 0)
         entry.lagging = 0.25 * dt * now.viscous.cwiseProduct(now.v).sum();
       entry.work = ledger.external_work + books.gravity - gravity;
       entry.dissipated = ledger.dissipated;

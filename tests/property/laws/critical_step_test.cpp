@@ -61,13 +61,13 @@ std::vector<Run> runs() {
 
 /// Largest |u| of 1500 steps that start from displacements of at most one micrometre.
 template <int D>
-double largest_displacement(const Discretisation<D>& disc, double dt) {
+double largest_displacement(const Discretisation<D>& body, double dt) {
   Random random(21);
-  State<D> state = make_state<D>(disc, random.field<D>(disc.nodes(), 1e-6),
-                                 VectorField<D>::Zero(disc.nodes(), D));
+  State<D> state = make_state<D>(body, random.field<D>(body.nodes(), 1e-6),
+                                 VectorField<D>::Zero(body.nodes(), D));
   double most = 0.0;
   try {
-    march<D>(disc, state, dt, 1500, 1, [&](const State<D>& now, const WorkAndImpulse<D>&) {
+    march<D>(body, state, dt, 1500, 1, [&](const State<D>& now, const WorkAndImpulse<D>&) {
       most = std::max(most, now.u.cwiseAbs().maxCoeff());
     });
   } catch (const NumericalError&) {
@@ -77,8 +77,8 @@ double largest_displacement(const Discretisation<D>& disc, double dt) {
 }
 
 template <int D>
-double step_at_rest(const Discretisation<D>& disc) {
-  return critical_step<D>(disc, evaluated<D>(disc, VectorField<D>::Zero(disc.nodes(), D))).dt;
+double step_at_rest(const Discretisation<D>& body) {
+  return critical_step<D>(body, evaluated<D>(body, VectorField<D>::Zero(body.nodes(), D))).dt;
 }
 
 class CriticalStepLaws : public testing::TestWithParam<Run> {
@@ -90,42 +90,42 @@ class CriticalStepLaws : public testing::TestWithParam<Run> {
 };
 
 TEST_P(CriticalStepLaws, RunsJustBelowItAreStable) {
-  with_disc([]<int D>(const Discretisation<D>& disc) {
+  with_disc([]<int D>(const Discretisation<D>& body) {
     // Near the limit a mode may swing up to 1/√(1 − 0.997²) = 13 times its start; N of them add up.
-    EXPECT_LE(largest_displacement<D>(disc, 0.997 * step_at_rest<D>(disc)), 1e-6 * 1e3);
+    EXPECT_LE(largest_displacement<D>(body, 0.997 * step_at_rest<D>(body)), 1e-6 * 1e3);
   });
 }
 
 TEST_P(CriticalStepLaws, RunsJustAboveItAreNot) {
-  with_disc([]<int D>(const Discretisation<D>& disc) {
-    EXPECT_GT(largest_displacement<D>(disc, 1.01 * step_at_rest<D>(disc)), 1e-6 * 1e6);
+  with_disc([]<int D>(const Discretisation<D>& body) {
+    EXPECT_GT(largest_displacement<D>(body, 1.01 * step_at_rest<D>(body)), 1e-6 * 1e6);
   });
 }
 
 /// C of all components, dense.
 template <int D>
-Eigen::MatrixXd dense_viscosity(const Discretisation<D>& disc) {
-  Eigen::MatrixXd C = Eigen::MatrixXd::Zero(disc.nodes() * D, disc.nodes() * D);
-  if (disc.viscosity.nonZeros() == 0) return C;
-  const Eigen::MatrixXd one = disc.viscosity;
-  for (Index p = 0; p < disc.nodes(); ++p)
-    for (Index q = 0; q < disc.nodes(); ++q)
+Eigen::MatrixXd dense_viscosity(const Discretisation<D>& body) {
+  Eigen::MatrixXd C = Eigen::MatrixXd::Zero(body.nodes() * D, body.nodes() * D);
+  if (body.viscosity.nonZeros() == 0) return C;
+  const Eigen::MatrixXd one = body.viscosity;
+  for (Index p = 0; p < body.nodes(); ++p)
+    for (Index q = 0; q < body.nodes(); ++q)
       for (int i = 0; i < D; ++i) C(p * D + i, q * D + i) = one(p, q);
   return C;
 }
 
 /// Δt at which the largest eigenvalue of Δt² K + 2Δt C relative to M is 4, by bisection.
 template <int D>
-double dense_step(const Discretisation<D>& disc) {
-  const Index dofs = disc.nodes() * D;
+double dense_step(const Discretisation<D>& body) {
+  const Index dofs = body.nodes() * D;
   const auto root =
-      Eigen::Map<const Eigen::VectorXd>(disc.inverse_mass.data(), dofs).cwiseSqrt().eval();
-  const Eigen::MatrixXd K = root.asDiagonal() * dense_stiffness<D>(disc) * root.asDiagonal();
-  if (!disc.adjoint) {
+      Eigen::Map<const Eigen::VectorXd>(body.inverse_mass.data(), dofs).cwiseSqrt().eval();
+  const Eigen::MatrixXd K = root.asDiagonal() * dense_stiffness<D>(body) * root.asDiagonal();
+  if (!body.adjoint) {
     const auto values = Eigen::EigenSolver<Eigen::MatrixXd>(K, false).eigenvalues();
     return 2.0 / std::sqrt(values.cwiseAbs().maxCoeff());
   }
-  const Eigen::MatrixXd C = root.asDiagonal() * dense_viscosity<D>(disc) * root.asDiagonal();
+  const Eigen::MatrixXd C = root.asDiagonal() * dense_viscosity<D>(body) * root.asDiagonal();
   const auto excess = [&](double dt) {
     const Eigen::MatrixXd A = dt * dt * K + 2.0 * dt * C;
     return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(A, Eigen::EigenvaluesOnly)
@@ -134,7 +134,7 @@ double dense_step(const Discretisation<D>& disc) {
            4.0;
   };
   double lower = 0.0;
-  double upper = 10.0 * disc.spacing / disc.wave_speed();
+  double upper = 10.0 * body.spacing / body.wave_speed();
   for (int k = 0; k < 30; ++k) {
     const double middle = 0.5 * (lower + upper);
     (excess(middle) > 0.0 ? upper : lower) = middle;
@@ -143,15 +143,15 @@ double dense_step(const Discretisation<D>& disc) {
 }
 
 TEST_P(CriticalStepLaws, ItIsThatOfTheDenseSpectrum) {
-  with_disc([]<int D>(const Discretisation<D>& disc) {
-    const double expected = dense_step<D>(disc);
+  with_disc([]<int D>(const Discretisation<D>& body) {
+    const double expected = dense_step<D>(body);
 
-    const double actual = step_at_rest<D>(disc);
+    const double actual = step_at_rest<D>(body);
 
     EXPECT_NEAR(actual, expected, 2e-3 * expected);
     EXPECT_NEAR(
-        actual * disc.wave_speed() / spacing,
-        critical_step<D>(disc, evaluated<D>(disc, VectorField<D>::Zero(disc.nodes(), D))).scaled,
+        actual * body.wave_speed() / spacing,
+        critical_step<D>(body, evaluated<D>(body, VectorField<D>::Zero(body.nodes(), D))).scaled,
         1e-9);
   });
 }
@@ -161,14 +161,14 @@ INSTANTIATE_TEST_SUITE_P(, CriticalStepLaws, testing::ValuesIn(runs()), ByName()
 /// Away from rest the tangent counts: compression stiffens a Neo-Hookean bar, c² = dP/dF / ρ.
 TEST(CriticalStepOfADeformedBar, FollowsTheTangent) {
   const Variant bar{"interval", "stress-point", "", "", ""};
-  const auto disc = build<1>(scene_of(bar, {"material.law=neo-hookean"}));
+  const auto body = build<1>(scene_of(bar, {"material.law=neo-hookean"}));
   Tensor<1> H;
   H << -0.4;
-  const auto state = evaluated<1>(disc, affine<1>(disc.particles.X, H, Vector<1>::Zero()));
+  const auto state = evaluated<1>(body, affine<1>(body.particles.X, H, Vector<1>::Zero()));
 
-  const double ratio = critical_step<1>(disc, state).dt / step_at_rest<1>(disc);
+  const double ratio = critical_step<1>(body, state).dt / step_at_rest<1>(body);
 
-  const AnyLaw<1>& law = disc.regions.front().law;
+  const AnyLaw<1>& law = body.regions.front().law;
   const double expected =
       std::sqrt(tangent<1>(law, Tensor<1>::Zero())(0, 0) / tangent<1>(law, H)(0, 0));
   EXPECT_LT(expected, 0.9);

@@ -35,19 +35,19 @@ class Defaults : public testing::TestWithParam<DefaultBody> {};
 
 /// Free flight with a spin, a stretch and a shear at once: strains to five hundredths, half a turn.
 TEST_P(Defaults, KeepEnergyAndMomentaOfABodyThatTurnsAndStrains) {
-  const Discretisation<2> disc = build<2>(scene_with(GetParam(), "neo-hookean"));
-  const double c = disc.wave_speed(), size = 0.14;
+  const Discretisation<2> body = build<2>(scene_with(GetParam(), "neo-hookean"));
+  const double c = body.wave_speed(), size = 0.14;
   Tensor<2> A;
   A << 0.08, -0.15, 0.12, -0.05;
   State<2> state =
-      make_state<2>(disc, VectorField<2>::Zero(disc.nodes(), 2),
-                    affine<2>(disc.particles.X, A * (0.5 * c / size), Vector<2>(0.3, -0.1)));
-  evaluate<2>(disc, state);
-  const double dt = 0.15 * critical_step<2>(disc, state).dt;
+      make_state<2>(body, VectorField<2>::Zero(body.nodes(), 2),
+                    affine<2>(body.particles.X, A * (0.5 * c / size), Vector<2>(0.3, -0.1)));
+  evaluate<2>(body, state);
+  const double dt = 0.15 * critical_step<2>(body, state).dt;
   std::vector<Balance<2>> books;
   double strain = 0.0;
-  march<2>(disc, state, dt, 6600, 30, [&](const State<2>& now, const WorkAndImpulse<2>&) {
-    books.push_back(balance<2>({disc, now, dt}));
+  march<2>(body, state, dt, 6600, 30, [&](const State<2>& now, const WorkAndImpulse<2>&) {
+    books.push_back(balance<2>({body, now, dt}));
     for (Index s = 0; s < now.H.rows(); ++s)
       strain = std::max(strain, green_lagrange<2>(tensor_at<2>(now.H, s)).cwiseAbs().maxCoeff());
   });
@@ -82,41 +82,41 @@ class DefaultsAtRest : public testing::TestWithParam<DefaultBody> {};
 /// A box between smooth walls bears its weight: u_y = ρg/(λ + 2μ) (y²/2 − H y) over its foot and
 /// P_yy = −ρg (H − y), which a mode that changes sign from node to node would alternate about.
 TEST_P(DefaultsAtRest, StandAsTheyShouldUnderTheirWeight) {
-  const Discretisation<2> disc = build<2>(scene_with(GetParam(), "linear-elastic"));
-  ASSERT_EQ(disc.viscosity.nonZeros(), 0);
-  const VectorField<2>& X = disc.particles.X;
+  const Discretisation<2> body = build<2>(scene_with(GetParam(), "linear-elastic"));
+  ASSERT_EQ(body.viscosity.nonZeros(), 0);
+  const VectorField<2>& X = body.particles.X;
   const Vector<2> low = X.colwise().minCoeff().transpose();
   const Vector<2> size = X.colwise().maxCoeff().transpose() - low;
   std::vector<Index> free;
-  for (Index q = 0; q < disc.nodes(); ++q) {
+  for (Index q = 0; q < body.nodes(); ++q) {
     const Vector<2> x = X.row(q).transpose() - low;
     if (x.x() > 1e-9 && x.x() < size.x() - 1e-9) free.push_back(2 * q);
     if (x.y() > 1e-9) free.push_back(2 * q + 1);
   }
   constexpr double g = 10.0;
-  const Eigen::MatrixXd K = dense_stiffness<2>(disc);
+  const Eigen::MatrixXd K = dense_stiffness<2>(body);
   Eigen::VectorXd f(static_cast<Index>(free.size()));
   for (Index k = 0; k < f.size(); ++k) {
     const Index dof = free[static_cast<std::size_t>(k)];
-    f[k] = dof % 2 == 1 ? -g * disc.mass[dof / 2] : 0.0;
+    f[k] = dof % 2 == 1 ? -g * body.mass[dof / 2] : 0.0;
   }
   const Eigen::LDLT<Eigen::MatrixXd> factor(K(free, free));
   ASSERT_GT(factor.vectorD().minCoeff(), 1e-3 * 2e6);
   const Eigen::VectorXd x = factor.solve(f);
-  VectorField<2> u = VectorField<2>::Zero(disc.nodes(), 2);
+  VectorField<2> u = VectorField<2>::Zero(body.nodes(), 2);
   for (Index k = 0; k < x.size(); ++k) u.data()[free[static_cast<std::size_t>(k)]] = x[k];
 
-  const State<2> rest = evaluated<2>(disc, u);
+  const State<2> rest = evaluated<2>(body, u);
 
   const double modulus = 2e6 * (1 - 0.3) / ((1 + 0.3) * (1 - 2 * 0.3));
   double displacement = 0.0, stress = 0.0;
-  for (Index q = 0; q < disc.nodes(); ++q) {
+  for (Index q = 0; q < body.nodes(); ++q) {
     const double y = X(q, 1) - low.y();
     const double exact = density * g / modulus * (0.5 * y * y - size.y() * y);
     displacement = std::max(displacement, std::abs(u(q, 1) - exact));
   }
-  for (Index s = 0; s < disc.points.size(); ++s) {
-    const double exact = -density * g * (size.y() - (disc.points.X(s, 1) - low.y()));
+  for (Index s = 0; s < body.points.size(); ++s) {
+    const double exact = -density * g * (size.y() - (body.points.X(s, 1) - low.y()));
     stress = std::max(stress, std::abs(tensor_at<2>(rest.P, s)(1, 1) - exact));
   }
   EXPECT_LE(stress, GetParam().stress * density * g * size.y());

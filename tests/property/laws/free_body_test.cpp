@@ -26,20 +26,20 @@ Scene free_scene(const Variant& variant, const char* law, bool fine = false) {
 /// The lowest vibration of the free body, the smoothest motion it can have, as velocities that lead
 /// to the given largest strain.
 template <int D>
-VectorField<D> lowest_vibration(Discretisation<D> disc, double strain) {
-  set_material<D>(disc, {"linear-elastic", "strain"});
-  const Index dofs = disc.nodes() * D;
+VectorField<D> lowest_vibration(Discretisation<D> body, double strain) {
+  set_material<D>(body, {"linear-elastic", "strain"});
+  const Index dofs = body.nodes() * D;
   const auto root =
-      Eigen::Map<const Eigen::VectorXd>(disc.inverse_mass.data(), dofs).cwiseSqrt().eval();
+      Eigen::Map<const Eigen::VectorXd>(body.inverse_mass.data(), dofs).cwiseSqrt().eval();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(
-      root.asDiagonal() * dense_stiffness<D>(disc) * root.asDiagonal());
+      root.asDiagonal() * dense_stiffness<D>(body) * root.asDiagonal());
   const Eigen::VectorXd& squares = modes.eigenvalues();
   Index lowest = 0;
   while (squares[lowest] < 1e-9 * squares[dofs - 1]) ++lowest;
   const Eigen::VectorXd mode = root.cwiseProduct(modes.eigenvectors().col(lowest));
-  const VectorField<D> shape = Eigen::Map<const VectorField<D>>(mode.data(), disc.nodes(), D);
-  TensorField<D> H(disc.points.size(), D * D);
-  disc.gradient.gradient(shape, H);
+  const VectorField<D> shape = Eigen::Map<const VectorField<D>>(mode.data(), body.nodes(), D);
+  TensorField<D> H(body.points.size(), D * D);
+  body.gradient.gradient(shape, H);
   double largest = 0.0;
   for (Index s = 0; s < H.rows(); ++s) {
     const Tensor<D> h = tensor_at<D>(H, s);
@@ -50,14 +50,14 @@ VectorField<D> lowest_vibration(Discretisation<D> disc, double strain) {
 
 /// A motion that stretches, shears, travels and turns.
 template <int D>
-VectorField<D> flight(const Discretisation<D>& disc) {
+VectorField<D> flight(const Discretisation<D>& body) {
   Tensor<D> A = Tensor<D>::Constant(0.06);
   Vector<D> b = Vector<D>::Constant(-0.01);
   if constexpr (D == 2) {
     A << 0.2, 0.1, -0.05, -0.15;
     b << 0.01, -0.02;
   }
-  return affine<D>(disc.particles.X, A, b);
+  return affine<D>(body.particles.X, A, b);
 }
 
 /// What a run looked like.
@@ -86,17 +86,17 @@ struct Record {
 
 /// `parts`: of the step, each with as many more of them.
 template <int D>
-Record record_run(const Discretisation<D>& disc, const VectorField<D>& velocity, int parts = 1) {
-  State<D> state = make_state<D>(disc, VectorField<D>::Zero(disc.nodes(), D), velocity);
-  evaluate<D>(disc, state);
-  const double dt = flight_share * critical_step<D>(disc, state).dt / parts;
+Record record_run(const Discretisation<D>& body, const VectorField<D>& velocity, int parts = 1) {
+  State<D> state = make_state<D>(body, VectorField<D>::Zero(body.nodes(), D), velocity);
+  evaluate<D>(body, state);
+  const double dt = flight_share * critical_step<D>(body, state).dt / parts;
   Record record;
   Balance<D> first;
   double scale = 0.0;
   double angular_scale = 0.0;
-  march<D>(disc, state, dt, parts * flight_steps, parts * flight_every,
+  march<D>(body, state, dt, parts * flight_steps, parts * flight_every,
            [&](const State<D>& now, const WorkAndImpulse<D>&) {
-             const Balance<D> books = balance<D>({disc, now, dt});
+             const Balance<D> books = balance<D>({body, now, dt});
              if (now.step == 0) first = books;
              record.energy.push_back(books.kinetic + books.elastic);
              for (Index s = 0; s < now.H.rows(); ++s)
@@ -128,8 +128,8 @@ class FreeBody : public testing::TestWithParam<Variant> {
   [[nodiscard]] static Record vibration(const char* law, double strain, bool fine = false,
                                         int parts = 1) {
     Record result;
-    discretised(free_scene(GetParam(), law, fine), [&]<int D>(const Discretisation<D>& disc) {
-      result = record_run<D>(disc, lowest_vibration<D>(disc, strain), parts);
+    discretised(free_scene(GetParam(), law, fine), [&]<int D>(const Discretisation<D>& body) {
+      result = record_run<D>(body, lowest_vibration<D>(body, strain), parts);
     });
     return result;
   }
@@ -194,8 +194,8 @@ TEST_P(ResolvedFreeBody, NeoHookeanEnergyHasNoTrend) {
 TEST_P(ResolvedFreeBody, KeepsItsMomentaInFlight) {
   for (const char* law : {"linear-elastic", "neo-hookean"})
     discretised(scene_of(GetParam(), {std::string("material.law=") + law}),
-                [&]<int D>(const Discretisation<D>& disc) {
-                  const Record run = record_run<D>(disc, flight<D>(disc));
+                [&]<int D>(const Discretisation<D>& body) {
+                  const Record run = record_run<D>(body, flight<D>(body));
                   expect_momenta(run, GetParam());
                 });
 }
@@ -207,10 +207,10 @@ TEST_P(ResolvedFreeBody, SummaryTellsOfTheConservedQuantities) {
       "output.energy_every=10",
       bar ? "initial.velocity={constant=[-0.018], gradient=[[0.06]]}"
           : "initial.velocity={constant=[0.01, -0.02], gradient=[[0.2, 0.1], [-0.05, -0.15]]}"};
-  discretised(scene_of(GetParam(), overrides), [&]<int D>(const Discretisation<D>& disc) {
-    const auto rest = evaluated<D>(disc, VectorField<D>::Zero(disc.nodes(), D));
+  discretised(scene_of(GetParam(), overrides), [&]<int D>(const Discretisation<D>& body) {
+    const auto rest = evaluated<D>(body, VectorField<D>::Zero(body.nodes(), D));
     const double end =
-        0.9999 * static_cast<double>(flight_steps) * flight_share * critical_step<D>(disc, rest).dt;
+        0.9999 * static_cast<double>(flight_steps) * flight_share * critical_step<D>(body, rest).dt;
     overrides.push_back("time.end=" + std::to_string(end));
   });
 

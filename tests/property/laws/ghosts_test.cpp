@@ -49,13 +49,13 @@ end = 0.05
 }
 
 template <int D, class Observe>
-void run_scene(const Scene& scene, const Discretisation<D>& disc, long every,
+void run_scene(const Scene& scene, const Discretisation<D>& body, long every,
                const Observe& observe) {
-  InitialState<D> initial = build_initial<D>(scene, disc);
-  State<D> state = make_state<D>(disc, initial.displacement, initial.velocity);
-  evaluate<D>(disc, state);
-  const double dt = 0.8 * critical_step<D>(disc, state).dt;
-  march<D>(disc, state, dt, static_cast<long>(scene.time.end / dt), every,
+  InitialState<D> initial = build_initial<D>(scene, body);
+  State<D> state = make_state<D>(body, initial.displacement, initial.velocity);
+  evaluate<D>(body, state);
+  const double dt = 0.8 * critical_step<D>(body, state).dt;
+  march<D>(body, state, dt, static_cast<long>(scene.time.end / dt), every,
            [&](const State<D>& now, const WorkAndImpulse<D>&) { observe(now, dt); });
 }
 
@@ -77,15 +77,15 @@ class LoadedBar : public testing::TestWithParam<Treatment> {};
 /// Probes see the prescribed traction at the loaded particle and no motion at the fixed one.
 TEST_P(LoadedBar, TakesItsBoundaryValuesExactly) {
   const Scene scene = bar_scene(GetParam());
-  const auto disc = build<1>(scene);
+  const auto body = build<1>(scene);
   const Curve& load = *scene.boundaries.front().normal_traction;
-  const Probes<1> probes(disc, {{"loaded", Vector<1>(0.1), {"pk1"}},
+  const Probes<1> probes(body, {{"loaded", Vector<1>(0.1), {"pk1"}},
                                 {"fixed", Vector<1>(1.3), {"displacement", "velocity"}}});
   std::vector<double> row(3);
   double largest = 0.0;
 
-  run_scene<1>(scene, disc, 1, [&](const State<1>& now, double dt) {
-    probes.sample({disc, now, dt}, row);
+  run_scene<1>(scene, body, 1, [&](const State<1>& now, double dt) {
+    probes.sample({body, now, dt}, row);
     const double expected = value(load, now.time);
     largest = std::max(largest, std::abs(expected));
     ASSERT_NEAR(row[0], expected, 1e-9 * 2e4);
@@ -108,15 +108,15 @@ ApproximationError approximation_error(const std::string& treatment) {
   const Scene scene =
       bar_scene({treatment, "formulation = \"thesis\"\nboundary_treatment = \"" + treatment + "\"",
                  "2.5", "modified-mollifier"});
-  const auto disc = build<1>(scene);
-  const SparseMatrix& W = disc.ghosts->kernel_matrix();
+  const auto body = build<1>(scene);
+  const SparseMatrix& W = body.ghosts->kernel_matrix();
   const Curve& load = *scene.boundaries.front().normal_traction;
   double largest_u = 0.0;
   double largest_strain = 0.0;
   ApproximationError error;
-  run_scene<1>(scene, disc, 1, [&](const State<1>& now, double) {
-    const double expected = uniaxial_gradient<1>(disc.regions.front().law, value(load, now.time));
-    const Index fixed = disc.nodes() - 1;
+  run_scene<1>(scene, body, 1, [&](const State<1>& now, double) {
+    const double expected = uniaxial_gradient<1>(body.regions.front().law, value(load, now.time));
+    const Index fixed = body.nodes() - 1;
     error.displacement =
         std::max(error.displacement, std::abs(W.row(fixed).dot(now.ghosts.u.col(0))));
     error.strain =
@@ -192,10 +192,10 @@ TEST(MirrorStrip, IsABarInEveryRow) {
   ASSERT_EQ(rows, 6);
   const double dt = 0.5 * spacing / disc1.wave_speed();
   const long steps = 150;
-  const auto at_rest = [](const auto& disc) {
-    auto none = disc.particles.X;
+  const auto at_rest = [](const auto& body) {
+    auto none = body.particles.X;
     none.setZero();
-    return make_state(disc, none, none);
+    return make_state(body, none, none);
   };
   auto state1 = at_rest(disc1);
   auto state2 = at_rest(disc2);

@@ -72,14 +72,14 @@ AnyLaw<D> own_law(bool small) {
 
 /// The body with an own law, or that beside a listed one.
 template <int D>
-void set_own_law(Discretisation<D>& disc, bool small, bool beside_another) {
-  disc.regions.front().law = own_law<D>(small);
+void set_own_law(Discretisation<D>& body, bool small, bool beside_another) {
+  body.regions.front().law = own_law<D>(small);
   if (!beside_another) return;
-  disc.regions.push_back(disc.regions.front());
-  disc.regions.back().law = make_law<D>(small ? LawName::linear_elastic : LawName::neo_hookean,
+  body.regions.push_back(body.regions.front());
+  body.regions.back().law = make_law<D>(small ? LawName::linear_elastic : LawName::neo_hookean,
                                         Assumption::stress, young, 0.3);
-  for (auto& region : disc.regions) region.points.clear();
-  for (int s = 0; s < disc.points.size(); ++s) disc.regions[s % 3 == 0 ? 0 : 1].points.push_back(s);
+  for (auto& region : body.regions) region.points.clear();
+  for (int s = 0; s < body.points.size(); ++s) body.regions[s % 3 == 0 ? 0 : 1].points.push_back(s);
 }
 
 class OwnLaw : public testing::TestWithParam<Variant> {
@@ -90,22 +90,22 @@ class OwnLaw : public testing::TestWithParam<Variant> {
       for (const bool beside_another : {false, true}) {
         SCOPED_TRACE(std::string(small ? "small strains" : "large strains") +
                      (beside_another ? " beside another law" : ""));
-        discretised(scene_of(GetParam()), [&]<int D>(Discretisation<D> disc) {
-          set_own_law(disc, small, beside_another);
-          use(disc);
+        discretised(scene_of(GetParam()), [&]<int D>(Discretisation<D> body) {
+          set_own_law(body, small, beside_another);
+          use(body);
         });
       }
   }
 };
 
 TEST_P(OwnLaw, IsSweptWithItsOwnStress) {
-  for_bodies([](const auto& disc) { expect_the_same_step(disc, 0.1); });
+  for_bodies([](const auto& body) { expect_the_same_step(body, 0.1); });
 }
 
 /// No product with a stiffness: that is for listed laws.
 TEST_P(OwnLaw, IsNotSteppedByTheStiffnessOfAnother) {
-  for_bodies([]<int D>(const Discretisation<D>& disc) {
-    const Sweep<D> sweep(disc, {1, false, Instructions::widest, false, StepForm::stiffness});
+  for_bodies([]<int D>(const Discretisation<D>& body) {
+    const Sweep<D> sweep(body, {1, false, Instructions::widest, false, StepForm::stiffness});
     EXPECT_FALSE(sweep.stiffness_multiply_adds());
   });
 }
@@ -113,24 +113,24 @@ TEST_P(OwnLaw, IsNotSteppedByTheStiffnessOfAnother) {
 /// f = −K u of the undeformed body, by a linearised sweep and by small displacements of the plain
 /// one; K x of a deformed body by the passes of a sweep and by plain products.
 TEST_P(OwnLaw, IsLinearisedWithItsOwnTangent) {
-  for_bodies([]<int D>(const Discretisation<D>& disc) {
+  for_bodies([]<int D>(const Discretisation<D>& body) {
     Random random(3);
-    const VectorField<D> x = random.field<D>(disc.nodes(), 1e-3);
-    const State<D> rest = evaluated<D>(disc, VectorField<D>::Zero(disc.nodes(), D));
+    const VectorField<D> x = random.field<D>(body.nodes(), 1e-3);
+    const State<D> rest = evaluated<D>(body, VectorField<D>::Zero(body.nodes(), D));
     VectorField<D> expected = x, force = x;
-    LinearisedForces<D>(disc, rest).product(x, expected);
+    LinearisedForces<D>(body, rest).product(x, expected);
     SweepOptions options;
     options.linearised = true;
-    Sweep<D> linearised(disc, options);
-    State<D> moved = make_state<D>(disc, x, VectorField<D>::Zero(disc.nodes(), D));
+    Sweep<D> linearised(body, options);
+    State<D> moved = make_state<D>(body, x, VectorField<D>::Zero(body.nodes(), D));
     linearised.evaluate(moved);
     const double size = expected.cwiseAbs().maxCoeff();
     EXPECT_LE((moved.f - expected).cwiseAbs().maxCoeff(), 1e-13 * size);
 
-    const State<D> strained = evaluated<D>(disc, deformed<D>(disc, random));
-    const Sweep<D> sweep(disc);
-    LinearisedForces<D>(disc, strained).product(x, expected);
-    LinearisedForces<D>(disc, strained, &sweep).product(x, force);
+    const State<D> strained = evaluated<D>(body, deformed<D>(body, random));
+    const Sweep<D> sweep(body);
+    LinearisedForces<D>(body, strained).product(x, expected);
+    LinearisedForces<D>(body, strained, &sweep).product(x, force);
     EXPECT_LE((force - expected).cwiseAbs().maxCoeff(), 1e-13 * size);
   });
 }
@@ -144,28 +144,28 @@ INSTANTIATE_TEST_SUITE_P(, OwnLaw,
 
 /// A listed law behind the pointer is that law, for all that asks a law.
 TEST(GivenLaw, OfAListedLawIsThatLaw) {
-  Discretisation<2> disc = build<2>(scene_of({"box", "stress-point", "", "", ""}));
+  Discretisation<2> body = build<2>(scene_of({"box", "stress-point", "", "", ""}));
   const NeoHookean<2> listed(lame(young, 0.45));
   Random random(5);
-  const VectorField<2> u = affine<2>(disc.particles.X, random.tensor<2>(0.3), Vector<2>::Zero());
-  disc.regions.front().law = listed;
-  const State<2> expected = evaluated<2>(disc, u);
-  const double dt = critical_step<2>(disc, expected).dt;
-  const double energy = elastic_energy<2>(disc, expected);
-  AdaptiveStep<2> follower(disc, evaluated<2>(disc, VectorField<2>::Zero(disc.nodes(), 2)), 0.9);
+  const VectorField<2> u = affine<2>(body.particles.X, random.tensor<2>(0.3), Vector<2>::Zero());
+  body.regions.front().law = listed;
+  const State<2> expected = evaluated<2>(body, u);
+  const double dt = critical_step<2>(body, expected).dt;
+  const double energy = elastic_energy<2>(body, expected);
+  AdaptiveStep<2> follower(body, evaluated<2>(body, VectorField<2>::Zero(body.nodes(), 2)), 0.9);
   const double first = follower.step();
 
-  disc.regions.front().law = GivenLaw<2, false>(listed);
-  const State<2> state = evaluated<2>(disc, u);
+  body.regions.front().law = GivenLaw<2, false>(listed);
+  const State<2> state = evaluated<2>(body, u);
 
   EXPECT_EQ(state.P, expected.P);
   EXPECT_EQ(state.f, expected.f);
-  EXPECT_NEAR(critical_step<2>(disc, state).dt, dt, 1e-12 * dt);
-  EXPECT_EQ(elastic_energy<2>(disc, state), energy);
-  EXPECT_EQ(cauchy<2>(disc.regions.front().law, random.tensor<2>(0.0), tensor_at<2>(state.P, 3)),
+  EXPECT_NEAR(critical_step<2>(body, state).dt, dt, 1e-12 * dt);
+  EXPECT_EQ(elastic_energy<2>(body, state), energy);
+  EXPECT_EQ(cauchy<2>(body.regions.front().law, random.tensor<2>(0.0), tensor_at<2>(state.P, 3)),
             cauchy<2>(AnyLaw<2>(listed), Tensor<2>::Zero(), tensor_at<2>(state.P, 3)));
-  EXPECT_FALSE(most_unstable_point<2>(disc, state));
-  AdaptiveStep<2> other(disc, evaluated<2>(disc, VectorField<2>::Zero(disc.nodes(), 2)), 0.9);
+  EXPECT_FALSE(most_unstable_point<2>(body, state));
+  AdaptiveStep<2> other(body, evaluated<2>(body, VectorField<2>::Zero(body.nodes(), 2)), 0.9);
   EXPECT_NEAR(other.step(), first, 1e-12 * first);
 }
 

@@ -8,11 +8,11 @@ namespace {
 class GradientLaws : public testing::TestWithParam<Variant> {};
 
 TEST_P(GradientLaws, ConstantsHaveNoGradient) {
-  discretised(scene_of(GetParam()), [&]<int D>(const Discretisation<D>& disc) {
-    const VectorField<D> one = VectorField<D>::Ones(disc.nodes(), D);
-    TensorField<D> H(disc.points.size(), D * D);
+  discretised(scene_of(GetParam()), [&]<int D>(const Discretisation<D>& body) {
+    const VectorField<D> one = VectorField<D>::Ones(body.nodes(), D);
+    TensorField<D> H(body.points.size(), D * D);
 
-    disc.gradient.gradient(one, H);
+    body.gradient.gradient(one, H);
 
     EXPECT_LE(H.cwiseAbs().maxCoeff() * spacing, 1e-12);
   });
@@ -20,10 +20,10 @@ TEST_P(GradientLaws, ConstantsHaveNoGradient) {
 
 TEST_P(GradientLaws, PositionsHaveTheIdentityAsGradient) {
   if (!GetParam().linear_exact()) GTEST_SKIP() << "differentiates constants only";
-  discretised(scene_of(GetParam()), [&]<int D>(const Discretisation<D>& disc) {
-    TensorField<D> H(disc.points.size(), D * D);
+  discretised(scene_of(GetParam()), [&]<int D>(const Discretisation<D>& body) {
+    TensorField<D> H(body.points.size(), D * D);
 
-    disc.gradient.gradient(disc.particles.X, H);
+    body.gradient.gradient(body.particles.X, H);
 
     for (Index s = 0; s < H.rows(); ++s)
       ASSERT_LE((tensor_at<D>(H, s) - Tensor<D>::Identity()).cwiseAbs().maxCoeff(), 1e-12) << s;
@@ -31,12 +31,12 @@ TEST_P(GradientLaws, PositionsHaveTheIdentityAsGradient) {
 }
 
 TEST_P(GradientLaws, ForceOperatorIsTheAdjoint) {
-  discretised(scene_of(GetParam()), [&]<int D>(const Discretisation<D>& disc) {
+  discretised(scene_of(GetParam()), [&]<int D>(const Discretisation<D>& body) {
     for (int a = 0; a < D; ++a) {
-      const Eigen::MatrixXd G = disc.gradient.matrix(a);
-      const Eigen::MatrixXd expected = -G.transpose() * disc.points.V.asDiagonal();
+      const Eigen::MatrixXd G = body.gradient.matrix(a);
+      const Eigen::MatrixXd expected = -G.transpose() * body.points.V.asDiagonal();
 
-      const Eigen::MatrixXd actual = disc.divergence.matrix(a);
+      const Eigen::MatrixXd actual = body.divergence.matrix(a);
 
       ASSERT_EQ(actual.rows(), expected.rows());
       ASSERT_EQ(actual.cols(), expected.cols());
@@ -48,17 +48,17 @@ TEST_P(GradientLaws, ForceOperatorIsTheAdjoint) {
 /// The patch test: an affine displacement strains the body evenly, to the stress of the law.
 TEST_P(GradientLaws, AffineDisplacementStressesEvenly) {
   if (!GetParam().linear_exact()) GTEST_SKIP() << "differentiates constants only";
-  discretised(scene_of(GetParam()), [&]<int D>(Discretisation<D> disc) {
+  discretised(scene_of(GetParam()), [&]<int D>(Discretisation<D> body) {
     Random random(3);
     for (const Material& material : materials()) {
-      set_material<D>(disc, material);
+      set_material<D>(body, material);
       const Tensor<D> A = random.tensor<D>(0.2);
       Vector<D> b;
       for (int i = 0; i < D; ++i) b[i] = random();
 
-      const State<D> state = evaluated<D>(disc, affine<D>(disc.particles.X, A, b));
+      const State<D> state = evaluated<D>(body, affine<D>(body.particles.X, A, b));
 
-      const Tensor<D> expected = pk1<D>(disc.regions.front().law, A);
+      const Tensor<D> expected = pk1<D>(body.regions.front().law, A);
       for (Index s = 0; s < state.P.rows(); ++s)
         ASSERT_LE((tensor_at<D>(state.P, s) - expected).cwiseAbs().maxCoeff(), 1e-11 * young)
             << material.law << ' ' << material.assumption << ", point " << s;
@@ -70,12 +70,12 @@ INSTANTIATE_TEST_SUITE_P(, GradientLaws, testing::ValuesIn(adjoint_variants()), 
 
 /// Largest |D P + B P| of a constant stress, in units of the stress on the face of a cell.
 template <int D>
-ScalarField unbalanced(const Discretisation<D>& disc, const Tensor<D>& P) {
-  TensorField<D> field(disc.points.size(), D * D);
+ScalarField unbalanced(const Discretisation<D>& body, const Tensor<D>& P) {
+  TensorField<D> field(body.points.size(), D * D);
   for (Index s = 0; s < field.rows(); ++s) Eigen::Map<Tensor<D>>(field.data() + s * D * D) = P;
-  VectorField<D> f(disc.nodes(), D);
-  disc.divergence.divergence(field, f);
-  f += disc.particles.B * P.transpose();
+  VectorField<D> f(body.nodes(), D);
+  body.divergence.divergence(field, f);
+  f += body.particles.B * P.transpose();
   return f.rowwise().norm() / std::pow(spacing, D - 1);
 }
 
@@ -85,9 +85,9 @@ class CellBalance : public testing::TestWithParam<std::string> {};
 /// tractions it exerts on the boundary are in balance at every node.
 TEST_P(CellBalance, ConstantStressBalancesItsTractions) {
   const Variant variant{GetParam(), "stress-point", "", "", ""};
-  discretised(scene_of(variant), [&]<int D>(const Discretisation<D>& disc) {
+  discretised(scene_of(variant), [&]<int D>(const Discretisation<D>& body) {
     Random random(4);
-    EXPECT_LE(unbalanced<D>(disc, random.tensor<D>(1.0)).maxCoeff(), 1e-12);
+    EXPECT_LE(unbalanced<D>(body, random.tensor<D>(1.0)).maxCoeff(), 1e-12);
   });
 }
 
@@ -102,14 +102,14 @@ TEST_P(InteriorBalance, ConstantStressIsInBalanceInside) {
       GetParam().one_dimensional()
           ? std::vector<std::string>{}
           : std::vector<std::string>{"body.shape.box=[[0.0, 0.0], [0.26, 0.26]]"};
-  discretised(scene_of(GetParam(), larger), [&]<int D>(const Discretisation<D>& disc) {
+  discretised(scene_of(GetParam(), larger), [&]<int D>(const Discretisation<D>& body) {
     Random random(5);
-    const ScalarField error = unbalanced<D>(disc, random.tensor<D>(1.0));
-    const Vector<D> lower = disc.particles.X.colwise().minCoeff().transpose();
-    const Vector<D> upper = disc.particles.X.colwise().maxCoeff().transpose();
+    const ScalarField error = unbalanced<D>(body, random.tensor<D>(1.0));
+    const Vector<D> lower = body.particles.X.colwise().minCoeff().transpose();
+    const Vector<D> upper = body.particles.X.colwise().maxCoeff().transpose();
     int inside = 0;
-    for (Index q = 0; q < disc.nodes(); ++q) {
-      const Vector<D> X = disc.particles.X.row(q).transpose();
+    for (Index q = 0; q < body.nodes(); ++q) {
+      const Vector<D> X = body.particles.X.row(q).transpose();
       if ((X - lower).minCoeff() < 4.5 * spacing || (upper - X).minCoeff() < 4.5 * spacing)
         continue;
       ++inside;

@@ -132,20 +132,20 @@ TEST(Memory, SetsTheCriticalStep) {
 /// does not come back.
 TEST(Memory, OfAFreeBodyLosesEnergyAndNoMomentum) {
   for (const char* layout : {"box", "jittered"}) {
-    Discretisation<2> disc = build<2>(scene_of({layout, "variational", "", "wendland-c2", "2.5"}));
-    disc.regions.front().law = given<VonMises<2>>(soft_metal);
-    VectorField<2> v = VectorField<2>::Zero(disc.nodes(), 2);
-    for (Index q = 0; q < disc.nodes(); ++q) v(q, 0) = disc.particles.X(q, 0) > 0.04 ? -1.0 : 1.0;
-    const Vector<2> momentum = v.transpose() * disc.mass;
+    Discretisation<2> body = build<2>(scene_of({layout, "variational", "", "wendland-c2", "2.5"}));
+    body.regions.front().law = given<VonMises<2>>(soft_metal);
+    VectorField<2> v = VectorField<2>::Zero(body.nodes(), 2);
+    for (Index q = 0; q < body.nodes(); ++q) v(q, 0) = body.particles.X(q, 0) > 0.04 ? -1.0 : 1.0;
+    const Vector<2> momentum = v.transpose() * body.mass;
     double missing[2];
     for (const int half : {0, 1}) {
-      State<2> state = make_state<2>(disc, VectorField<2>::Zero(disc.nodes(), 2), v);
-      evaluate<2>(disc, state);
-      const double dt = 0.4 * critical_step<2>(disc, state).dt / (1 + half);
+      State<2> state = make_state<2>(body, VectorField<2>::Zero(body.nodes(), 2), v);
+      evaluate<2>(body, state);
+      const double dt = 0.4 * critical_step<2>(body, state).dt / (1 + half);
       const long steps = 200 * (1 + half);
       double first = 0.0, lost = 0.0;
-      march<2>(disc, state, dt, steps, 20, [&](const State<2>& now, const WorkAndImpulse<2>&) {
-        const Balance<2> balanced = balance<2>({disc, now, dt});
+      march<2>(body, state, dt, steps, 20, [&](const State<2>& now, const WorkAndImpulse<2>&) {
+        const Balance<2> balanced = balance<2>({body, now, dt});
         if (now.step == 0) first = balanced.kinetic + balanced.elastic;
         EXPECT_GE(balanced.dissipated, lost);
         lost = balanced.dissipated;
@@ -161,23 +161,23 @@ TEST(Memory, OfAFreeBodyLosesEnergyAndNoMomentum) {
 
 /// Sweeps are for laws without memory; a second look changes nothing.
 TEST(Memory, IsMadeByTheStepAndNotByLooks) {
-  Discretisation<2> disc = build<2>(scene_of({"box", "stress-point", "", "", ""}));
-  EXPECT_TRUE(Sweep<2>::possible(disc));
-  EXPECT_EQ(make_state<2>(disc, disc.particles.X, disc.particles.X).past.size(), 0);
-  disc.regions.front().law = given<VonMises<2>>(soft_metal);
-  EXPECT_FALSE(Sweep<2>::possible(disc));
-  EXPECT_FALSE(disc.linear());
+  Discretisation<2> body = build<2>(scene_of({"box", "stress-point", "", "", ""}));
+  EXPECT_TRUE(Sweep<2>::possible(body));
+  EXPECT_EQ(make_state<2>(body, body.particles.X, body.particles.X).past.size(), 0);
+  body.regions.front().law = given<VonMises<2>>(soft_metal);
+  EXPECT_FALSE(Sweep<2>::possible(body));
+  EXPECT_FALSE(body.linear());
   Random random(4);
   State<2> state =
-      make_state<2>(disc, deformed<2>(disc, random), random.field<2>(disc.nodes(), 1.0));
-  evaluate<2>(disc, state);
-  start<2>(disc, state, 1e-5);
-  advance<2>(disc, state, 1e-5, 1e-5);
-  evaluate<2>(disc, state);
+      make_state<2>(body, deformed<2>(body, random), random.field<2>(body.nodes(), 1.0));
+  evaluate<2>(body, state);
+  start<2>(body, state, 1e-5);
+  advance<2>(body, state, 1e-5, 1e-5);
+  evaluate<2>(body, state);
   const TensorField<2> P = state.P;
   const MemoryField memory = state.memory;
 
-  evaluate<2>(disc, state);
+  evaluate<2>(body, state);
 
   EXPECT_EQ(state.P, P);
   EXPECT_EQ(state.memory, memory);
@@ -186,17 +186,17 @@ TEST(Memory, IsMadeByTheStepAndNotByLooks) {
 
 /// A law with a memory in one region only: points of the other keep what they are.
 TEST(Memory, OfOneRegionLeavesTheOtherAlone) {
-  Discretisation<2> disc = build<2>(scene_of({"box", "stress-point", "", "", ""}));
-  disc.regions.push_back(disc.regions.front());
-  disc.regions.back().law = given<VonMises<2>>(soft_metal);
-  for (int s = 0; s < disc.points.size(); ++s) disc.regions[s % 2 == 0 ? 0 : 1].points.push_back(s);
+  Discretisation<2> body = build<2>(scene_of({"box", "stress-point", "", "", ""}));
+  body.regions.push_back(body.regions.front());
+  body.regions.back().law = given<VonMises<2>>(soft_metal);
+  for (int s = 0; s < body.points.size(); ++s) body.regions[s % 2 == 0 ? 0 : 1].points.push_back(s);
   Random random(4);
-  const State<2> state = evaluated<2>(disc, deformed<2>(disc, random));
+  const State<2> state = evaluated<2>(body, deformed<2>(body, random));
   for (Index s = 0; s < state.memory.rows(); ++s) {
     EXPECT_EQ(state.memory.row(s).norm() > 0.0, s % 2 == 1);
     if (s % 2 == 0) {
       EXPECT_EQ(tensor_at<2>(state.P, s),
-                pk1<2>(disc.regions.front().law, tensor_at<2>(state.H, s)));
+                pk1<2>(body.regions.front().law, tensor_at<2>(state.H, s)));
     }
   }
 }
@@ -231,8 +231,8 @@ checkpoint_steps = 7
 )",
                                                     step),
                                         "memory");
-    Discretisation<2> disc = build<2>(scene);
-    disc.regions.front().law = given<VonMises<2>>(soft_metal);
+    Discretisation<2> body = build<2>(scene);
+    body.regions.front().law = given<VonMises<2>>(soft_metal);
     const fs::path out = fs::temp_directory_path() / fmt::format("tlsph_memory_{}", ::getpid());
     fs::remove_all(out);
     fs::create_directories(out);
@@ -240,9 +240,9 @@ checkpoint_steps = 7
     options.out = out;
     Summary whole, resumed;
 
-    RunLoop<2>(scene, options, disc, whole).run();
+    RunLoop<2>(scene, options, body, whole).run();
     options.resume = true;
-    RunLoop<2>(scene, options, disc, resumed).run();
+    RunLoop<2>(scene, options, body, resumed).run();
     fs::remove_all(out);
 
     ASSERT_GT(whole.steps, 8);

@@ -105,16 +105,16 @@ TEST(Polygons, HoldConstantStressAtAUsableStep) {
                     text_of(corners)),
         "polygon", {});
     SCOPED_TRACE(text_of(corners));
-    const Discretisation<2> disc = build<2>(scene);
+    const Discretisation<2> body = build<2>(scene);
     const Tensor<2> A = random.tensor<2>(0.1);
-    const State<2> state = evaluated<2>(disc, affine<2>(disc.particles.X, A, Vector<2>(0.3, -0.2)));
+    const State<2> state = evaluated<2>(body, affine<2>(body.particles.X, A, Vector<2>(0.3, -0.2)));
 
     for (Index s = 0; s < state.H.rows(); ++s)
       EXPECT_LE((tensor_at<2>(state.H, s) - A).cwiseAbs().maxCoeff(), 1e-12);
     const Tensor<2> P = tensor_at<2>(state.P, 0);
-    const VectorField<2> balanced = -disc.particles.B * P.transpose();
+    const VectorField<2> balanced = -body.particles.B * P.transpose();
     EXPECT_LE((state.f - balanced).cwiseAbs().maxCoeff(), 1e-11 * P.norm());
-    const double step = critical_step<2>(disc, state).scaled;
+    const double step = critical_step<2>(body, state).scaled;
     least_step = std::min(least_step, step);
     EXPECT_GE(step, 0.1);
   }

@@ -18,8 +18,8 @@ int clouds_to_build() {
 }
 
 /// The scaled critical step of the body at rest.
-double step_of(const Discretisation<2>& disc) {
-  return critical_step<2>(disc, evaluated<2>(disc, VectorField<2>::Zero(disc.nodes(), 2))).scaled;
+double step_of(const Discretisation<2>& body) {
+  return critical_step<2>(body, evaluated<2>(body, VectorField<2>::Zero(body.nodes(), 2))).scaled;
 }
 
 Discretisation<2> built(const RandomCloud& cloud, const std::string& formulation) {

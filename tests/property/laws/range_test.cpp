@@ -87,28 +87,28 @@ TEST(Range, IsWatchedByEverySweep) {
                                        {"box", "variational", "", "wendland-c2", "2.5"}};
   Random random(17);
   int failures = 0, beyond = 0;
-  for (const Variant& body : bodies)
-    discretised(scene_of(body), [&]<int D>(Discretisation<D> disc) {
+  for (const Variant& variant : bodies)
+    discretised(scene_of(variant), [&]<int D>(Discretisation<D> body) {
       for (const Material& material : materials())
         for (int n = 0; n < 20; ++n) {
           const double poisson = -0.25 + 0.7499 * random();
-          disc.regions.front().law = law_of<D>(material, poisson);
+          body.regions.front().law = law_of<D>(material, poisson);
           const auto A = random.tensor<D>(0.5 + 0.5 * random());
           const VectorField<D> u =
-              affine<D>(disc.particles.X, A, Vector<D>::Zero()) +
-              random.field<D>(disc.nodes(), 0.2 * disc.spacing * (1.0 + random()));
-          const VectorField<D> rest = VectorField<D>::Zero(disc.nodes(), D);
-          State<D> state = make_state<D>(disc, u, rest);
-          State<D> other = make_state<D>(disc, u, rest);
-          Sweep<D> sweep(disc);
+              affine<D>(body.particles.X, A, Vector<D>::Zero()) +
+              random.field<D>(body.nodes(), 0.2 * body.spacing * (1.0 + random()));
+          const VectorField<D> rest = VectorField<D>::Zero(body.nodes(), D);
+          State<D> state = make_state<D>(body, u, rest);
+          State<D> other = make_state<D>(body, u, rest);
+          Sweep<D> sweep(body);
 
           const std::string plain =
-              failure_of<D>(state, [&](State<D>& s) { evaluate<D>(disc, s); });
+              failure_of<D>(state, [&](State<D>& s) { evaluate<D>(body, s); });
           const std::string swept = failure_of<D>(other, [&](State<D>& s) { sweep.evaluate(s); });
 
           bool inside = true;
-          for (Index s = 0; s < disc.points.size(); ++s)
-            inside = inside && margin<D>(disc.regions.front().law, tensor_at<D>(state.H, s)) > 0.0;
+          for (Index s = 0; s < body.points.size(); ++s)
+            inside = inside && margin<D>(body.regions.front().law, tensor_at<D>(state.H, s)) > 0.0;
           EXPECT_EQ(plain.empty(), inside) << plain;
           EXPECT_EQ(plain, swept);
           failures += plain.empty() ? 0 : 1;

@@ -14,15 +14,15 @@ struct Drift {
 
 Drift drift_of(const Scene& scene, double share_of_critical) {
   Drift drift;
-  discretised(scene, [&]<int D>(const Discretisation<D>& disc) {
-    State<D> state = make_state<D>(disc, VectorField<D>::Zero(disc.nodes(), D),
-                                   VectorField<D>::Zero(disc.nodes(), D));
-    evaluate<D>(disc, state);
-    const double dt = share_of_critical * critical_step<D>(disc, state).dt;
+  discretised(scene, [&]<int D>(const Discretisation<D>& body) {
+    State<D> state = make_state<D>(body, VectorField<D>::Zero(body.nodes(), D),
+                                   VectorField<D>::Zero(body.nodes(), D));
+    evaluate<D>(body, state);
+    const double dt = share_of_critical * critical_step<D>(body, state).dt;
     double energy = 0.0, momentum = 0.0;
-    march<D>(disc, state, dt, static_cast<long>(scene.time.end / dt), 1,
+    march<D>(body, state, dt, static_cast<long>(scene.time.end / dt), 1,
              [&](const State<D>& now, const WorkAndImpulse<D>& ledger) {
-               const Balance<D> books = balance<D>({disc, now, dt});
+               const Balance<D> books = balance<D>({body, now, dt});
                const double has = books.kinetic + books.elastic;
                energy = std::max(energy, has);
                momentum = std::max(momentum, books.momentum_scale);

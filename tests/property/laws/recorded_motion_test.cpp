@@ -19,7 +19,7 @@ struct Peaks {
 
 /// A bar of 4 m with a first period of 0.18 s, its foot moved by samples at that rate [Hz].
 Peaks peaks(int rate, bool smooth) {
-  Discretisation<1> disc = build<1>(read_scene_text(R"(
+  Discretisation<1> body = build<1>(read_scene_text(R"(
 dimension = 1
 [body]
 shape = { interval = [0.0, 4.0] }
@@ -40,22 +40,22 @@ end = 1.2
   TableCurve table;
   for (int k = 0; k <= 12 * rate / 10; ++k) {
     table.time.push_back(static_cast<double>(k) / rate);
-    table.value.push_back(motion(table.time.back()));
+    table.values.push_back(motion(table.time.back()));
   }
-  disc.constraints.curves.front() = smooth ? cubic_spline(table) : table;
-  State<1> state = make_state<1>(disc, VectorField<1>::Zero(disc.nodes(), 1),
-                                 VectorField<1>::Zero(disc.nodes(), 1));
-  evaluate<1>(disc, state);
-  const double dt = 0.9 * critical_step<1>(disc, state).dt;
+  body.constraints.curves.front() = smooth ? cubic_spline(table) : table;
+  State<1> state = make_state<1>(body, VectorField<1>::Zero(body.nodes(), 1),
+                                 VectorField<1>::Zero(body.nodes(), 1));
+  evaluate<1>(body, state);
+  const double dt = 0.9 * critical_step<1>(body, state).dt;
   Peaks result;
   const auto acceleration = [&](const State<1>& now, Index dof) {
-    return std::abs(next_velocity<1>(disc, now, dt, dof) - now.v.data()[dof]) / dt;
+    return std::abs(next_velocity<1>(body, now, dt, dof) - now.v.data()[dof]) / dt;
   };
-  march<1>(disc, state, dt, static_cast<long>(1.2 / dt), 1,
+  march<1>(body, state, dt, static_cast<long>(1.2 / dt), 1,
            [&](const State<1>& now, const WorkAndImpulse<1>&) {
              if (now.step == 0) return;
              result.foot = std::max(result.foot, acceleration(now, 0));
-             result.top = std::max(result.top, acceleration(now, disc.nodes() - 1));
+             result.top = std::max(result.top, acceleration(now, body.nodes() - 1));
            });
   return result;
 }

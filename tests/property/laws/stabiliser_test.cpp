@@ -17,12 +17,12 @@ class StabiliserLaws : public testing::TestWithParam<Variant> {
       SCOPED_TRACE(action);
       discretised(scene_of(GetParam(), {"stabiliser.kind=" + GetParam().stabiliser(),
                                         "stabiliser.as=" + action}),
-                  [&](const auto& disc) {
+                  [&](const auto& body) {
                     const bool stiff = action == "stiffness";
-                    const Eigen::MatrixXd S = stiff ? stabiliser_matrix(disc) : disc.viscosity;
-                    ASSERT_EQ(S.rows(), disc.nodes());
-                    ASSERT_EQ(stiff ? disc.viscosity.nonZeros() > 0 : has_stabiliser(disc), false);
-                    use(disc, S);
+                    const Eigen::MatrixXd S = stiff ? stabiliser_matrix(body) : body.viscosity;
+                    ASSERT_EQ(S.rows(), body.nodes());
+                    ASSERT_EQ(stiff ? body.viscosity.nonZeros() > 0 : has_stabiliser(body), false);
+                    use(body, S);
                   });
     }
   }
@@ -35,11 +35,11 @@ TEST_P(StabiliserLaws, IsSymmetric) {
 }
 
 TEST_P(StabiliserLaws, VanishesOnLinearFields) {
-  for_actions([](const auto& disc, const Eigen::MatrixXd& S) {
+  for_actions([](const auto& body, const Eigen::MatrixXd& S) {
     const double scale = S.cwiseAbs().maxCoeff();
     const Eigen::VectorXd one = Eigen::VectorXd::Ones(S.rows());
     EXPECT_LE((S * one).cwiseAbs().maxCoeff(), 1e-12 * scale);
-    const Eigen::MatrixXd X = disc.particles.X;
+    const Eigen::MatrixXd X = body.particles.X;
     EXPECT_LE((S * X).cwiseAbs().maxCoeff(), 1e-12 * scale * X.cwiseAbs().maxCoeff());
   });
 }
@@ -55,21 +55,21 @@ TEST_P(StabiliserLaws, IsPositiveSemiDefinite) {
 /// Forces, one row of them and the energy are those of the matrix, however it is held.
 TEST_P(StabiliserLaws, ActsAsItsMatrix) {
   discretised(scene_of(GetParam(), as_stiffness(GetParam().stabiliser())),
-              []<int D>(const Discretisation<D>& disc) {
+              []<int D>(const Discretisation<D>& body) {
                 Random random(5);
-                const VectorField<D> u = random.field<D>(disc.nodes(), 1.0);
-                const Eigen::MatrixXd S = stabiliser_matrix<D>(disc);
+                const VectorField<D> u = random.field<D>(body.nodes(), 1.0);
+                const Eigen::MatrixXd S = stabiliser_matrix<D>(body);
                 const Eigen::MatrixXd expected = S * u;
-                VectorField<D> force = VectorField<D>::Zero(disc.nodes(), D);
+                VectorField<D> force = VectorField<D>::Zero(body.nodes(), D);
 
-                subtract_stabiliser<D>(disc, u, force);
+                subtract_stabiliser<D>(body, u, force);
 
                 const double scale = expected.cwiseAbs().maxCoeff();
                 EXPECT_LE((force + expected).cwiseAbs().maxCoeff(), 1e-13 * scale);
-                for (Index q = 0; q < disc.nodes(); ++q)
-                  EXPECT_EQ(stabiliser_row<D>(disc, q, u), Vector<D>(-force.row(q).transpose()));
+                for (Index q = 0; q < body.nodes(); ++q)
+                  EXPECT_EQ(stabiliser_row<D>(body, q, u), Vector<D>(-force.row(q).transpose()));
                 const double energy = 0.5 * u.cwiseProduct(VectorField<D>(expected)).sum();
-                EXPECT_NEAR(stabiliser_energy<D>(disc, u), energy, 1e-13 * energy);
+                EXPECT_NEAR(stabiliser_energy<D>(body, u), energy, 1e-13 * energy);
               });
 }
 
@@ -77,8 +77,8 @@ TEST_P(StabiliserLaws, ActsAsItsMatrix) {
 TEST_P(StabiliserLaws, LeavesRigidMotionsAsOnlyZeroModes) {
   if (!GetParam().linear_exact()) GTEST_SKIP() << "does not see a rotation as one";
   discretised(scene_of(GetParam(), as_stiffness(GetParam().stabiliser())),
-              []<int D>(const Discretisation<D>& disc) {
-                const Eigen::MatrixXd K = dense_stiffness<D>(disc);
+              []<int D>(const Discretisation<D>& body) {
+                const Eigen::MatrixXd K = dense_stiffness<D>(body);
 
                 const Eigen::VectorXd values =
                     Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K).eigenvalues();

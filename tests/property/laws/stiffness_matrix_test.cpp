@@ -11,11 +11,11 @@ class StiffnessMatrix : public testing::TestWithParam<Variant> {};
 
 TEST_P(StiffnessMatrix, IsTheDerivativeOfTheForce) {
   discretised(scene_of(GetParam(), as_stiffness(GetParam().stabiliser())),
-              []<int D>(const Discretisation<D>& disc) {
-                const Eigen::MatrixXd expected = dense_stiffness<D>(disc);
+              []<int D>(const Discretisation<D>& body) {
+                const Eigen::MatrixXd expected = dense_stiffness<D>(body);
 
                 const SparseMatrix K =
-                    stiffness_matrix<D>(disc, TensorField<D>::Zero(disc.points.size(), D * D));
+                    stiffness_matrix<D>(body, TensorField<D>::Zero(body.points.size(), D * D));
 
                 EXPECT_LE((Eigen::MatrixXd(K) - expected).cwiseAbs().maxCoeff(),
                           1e-12 * expected.cwiseAbs().maxCoeff());
@@ -26,18 +26,18 @@ TEST_P(StiffnessMatrix, IsTheDerivativeOfTheForce) {
 /// Away from rest it is that of the deformed body.
 TEST_P(StiffnessMatrix, FollowsTheTangent) {
   discretised(
-      scene_of(GetParam(), {"material.law=neo-hookean"}), []<int D>(const Discretisation<D>& disc) {
+      scene_of(GetParam(), {"material.law=neo-hookean"}), []<int D>(const Discretisation<D>& body) {
         Random random(21);
-        const VectorField<D> u = deformed<D>(disc, random);
-        const VectorField<D> du = random.field<D>(disc.nodes(), 1.0);
-        const double h = 1e-6 * disc.spacing;
-        const State<D> up = evaluated<D>(disc, u + h * du);
-        const State<D> down = evaluated<D>(disc, u - h * du);
-        const State<D> at = evaluated<D>(disc, u);
-        const Index dofs = disc.nodes() * D;
+        const VectorField<D> u = deformed<D>(body, random);
+        const VectorField<D> du = random.field<D>(body.nodes(), 1.0);
+        const double h = 1e-6 * body.spacing;
+        const State<D> up = evaluated<D>(body, u + h * du);
+        const State<D> down = evaluated<D>(body, u - h * du);
+        const State<D> at = evaluated<D>(body, u);
+        const Index dofs = body.nodes() * D;
 
         const Eigen::VectorXd image =
-            stiffness_matrix<D>(disc, at.H) * Eigen::Map<const Eigen::VectorXd>(du.data(), dofs);
+            stiffness_matrix<D>(body, at.H) * Eigen::Map<const Eigen::VectorXd>(du.data(), dofs);
 
         const VectorField<D> slope = (down.f - up.f) / (2 * h);
         EXPECT_LE(
@@ -76,28 +76,28 @@ std::vector<LargeBody> large_bodies() {
 
 /// Every fourth run of seven points of another law.
 template <int D>
-void mix_in_another_law(Discretisation<D>& disc) {
-  disc.regions.push_back({make_law<D>(LawName::st_venant_kirchhoff, Assumption::strain, young, 0.2),
+void mix_in_another_law(Discretisation<D>& body) {
+  body.regions.push_back({make_law<D>(LawName::st_venant_kirchhoff, Assumption::strain, young, 0.2),
                           2.0 * density,
                           {}});
-  for (int s = 0; s < disc.points.size(); ++s)
-    disc.regions[s / 7 % 4 == 0 ? 1 : 0].points.push_back(s);
+  for (int s = 0; s < body.points.size(); ++s)
+    body.regions[s / 7 % 4 == 0 ? 1 : 0].points.push_back(s);
 }
 
 class LargeBodies : public testing::TestWithParam<LargeBody> {};
 
 TEST_P(LargeBodies, HaveTheProductsOfTheirStiffnessMatrix) {
   discretised(
-      scene_of(GetParam().variant, GetParam().overrides), []<int D>(Discretisation<D> disc) {
-        ASSERT_GE(disc.nodes(), 10'000);
-        if (GetParam().name == "two_laws") mix_in_another_law<D>(disc);
+      scene_of(GetParam().variant, GetParam().overrides), []<int D>(Discretisation<D> body) {
+        ASSERT_GE(body.nodes(), 10'000);
+        if (GetParam().name == "two_laws") mix_in_another_law<D>(body);
         Random random(21);
-        const State<D> at = evaluated<D>(disc, deformed<D>(disc, random));
-        const VectorField<D> du = random.field<D>(disc.nodes(), 1.0);
-        const Eigen::VectorXd expected = -(stiffness_matrix<D>(disc, at.H) *
+        const State<D> at = evaluated<D>(body, deformed<D>(body, random));
+        const VectorField<D> du = random.field<D>(body.nodes(), 1.0);
+        const Eigen::VectorXd expected = -(stiffness_matrix<D>(body, at.H) *
                                            Eigen::Map<const Eigen::VectorXd>(du.data(), du.size()));
-        LinearisedForces<D> forces(disc, at);
-        VectorField<D> product = VectorField<D>::Zero(disc.nodes(), D);
+        LinearisedForces<D> forces(body, at);
+        VectorField<D> product = VectorField<D>::Zero(body.nodes(), D);
 
         forces.product(du, product);
 

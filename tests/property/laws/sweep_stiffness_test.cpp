@@ -17,10 +17,10 @@ TEST_P(SweepOfStencils, IsTheStepOfTheProducts) {
       SCOPED_TRACE(material.assumption + (", " + stabiliser));
       std::vector<std::string> overrides = as_stiffness(stabiliser);
       overrides.push_back(fine_spacing(GetParam()));
-      discretised(scene_of(GetParam(), overrides), [&](auto disc) {
-        set_material(disc, material);
-        expect_the_same_step(disc);
-        expect_the_same_step(disc, 0.1, StepForm::stiffness);
+      discretised(scene_of(GetParam(), overrides), [&](auto body) {
+        set_material(body, material);
+        expect_the_same_step(body);
+        expect_the_same_step(body, 0.1, StepForm::stiffness);
       });
     }
   }
@@ -44,7 +44,7 @@ TEST(SweepOfStiffness, IsTheStepOfTheProductsOfSmallBodies) {
       std::vector<std::string> overrides = as_stiffness(variant.stabiliser());
       overrides.push_back(std::string("body.spacing=") + size);
       discretised(scene_of(variant, overrides),
-                  [](const auto& disc) { expect_the_same_step(disc, 0.1, StepForm::stiffness); });
+                  [](const auto& body) { expect_the_same_step(body, 0.1, StepForm::stiffness); });
     }
 }
 
@@ -56,29 +56,29 @@ TEST(SweepOfStiffness, IsTheStepOfBoundariesAndRegions) {
       text.replace(text.find(law), std::string_view(law).size(), "linear-elastic");
     text.replace(text.find("[0.1, 0.1]"), 10,
                  fmt::format("[{}, 0.1]]\nyoung = 5e6\npoisson = 0.2\n#", split));
-    Discretisation<2> disc = build<2>(read_scene_text(text, "busy"));
-    ASSERT_EQ(disc.regions.size(), 2);
+    Discretisation<2> body = build<2>(read_scene_text(text, "busy"));
+    ASSERT_EQ(body.regions.size(), 2);
 
-    expect_the_same_step(disc, 0.01, StepForm::stiffness);
+    expect_the_same_step(body, 0.01, StepForm::stiffness);
   }
 }
 
 /// What one node gains others lose, far from where the body was.
 TEST(SweepOfStiffness, KeepsMomentaOfAFreeBody) {
-  const Discretisation<2> disc = build<2>(
+  const Discretisation<2> body = build<2>(
       scene_of({"box", "stress-point", "", "", ""}, {"body.spacing=4e-3", "stabiliser.kind=cell"}));
-  State<2> state = moving<2>(disc);
+  State<2> state = moving<2>(body);
   state.u.rowwise() += Eigen::RowVector2d(0.5, -0.25);
   const auto momenta = [&] {
-    const VectorField<2> p = state.v.array().colwise() * disc.mass.array();
-    const auto& X = disc.particles.X;
+    const VectorField<2> p = state.v.array().colwise() * body.mass.array();
+    const auto& X = body.particles.X;
     return Eigen::Vector3d(p.col(0).sum(), p.col(1).sum(),
                            X.col(0).dot(p.col(1)) - X.col(1).dot(p.col(0)));
   };
   const Eigen::Vector3d before = momenta();
-  const double size = disc.mass.sum() * state.v.cwiseAbs().maxCoeff();
-  Sweep<2> sweep(disc, {1, false, Instructions::widest, false, StepForm::stiffness});
-  BoundaryForces<2> forces(disc);
+  const double size = body.mass.sum() * state.v.cwiseAbs().maxCoeff();
+  Sweep<2> sweep(body, {1, false, Instructions::widest, false, StepForm::stiffness});
+  BoundaryForces<2> forces(body);
 
   for (int n = 1; n <= 100; ++n) sweep.step(state, dt, now + n * dt, forces);
 
@@ -86,13 +86,13 @@ TEST(SweepOfStiffness, KeepsMomentaOfAFreeBody) {
 }
 
 TEST(SweepOfStiffness, MovesNothingThatIsCarried) {
-  const Discretisation<2> disc = build<2>(
+  const Discretisation<2> body = build<2>(
       scene_of({"box", "stress-point", "", "", ""}, {"body.spacing=4e-3", "stabiliser.kind=cell"}));
-  State<2> state = make_state<2>(disc, VectorField<2>::Constant(disc.nodes(), 2, 7.1),
-                                 VectorField<2>::Zero(disc.nodes(), 2));
+  State<2> state = make_state<2>(body, VectorField<2>::Constant(body.nodes(), 2, 7.1),
+                                 VectorField<2>::Zero(body.nodes(), 2));
   state.last_dt = dt;
-  Sweep<2> sweep(disc, {1, false, Instructions::widest, false, StepForm::stiffness});
-  BoundaryForces<2> forces(disc);
+  Sweep<2> sweep(body, {1, false, Instructions::widest, false, StepForm::stiffness});
+  BoundaryForces<2> forces(body);
 
   sweep.step(state, dt, dt, forces);
 
@@ -116,24 +116,24 @@ TEST(SweepOfStiffness, IsTakenWhereItIsLessWork) {
 
 /// A linear body in which one particle is nowhere.
 TEST(SweepOfStiffness, RestoresTheStateThatHasNoStress) {
-  const Discretisation<2> disc =
+  const Discretisation<2> body =
       build<2>(scene_of({"box", "stress-point", "", "", ""}, {"body.spacing=4e-3"}));
   constexpr double far = 1e303;
   const auto broken = [&] {
-    State<2> state = moving<2>(disc);
-    state.u(disc.nodes() / 2, 0) = far;
+    State<2> state = moving<2>(body);
+    state.u(body.nodes() / 2, 0) = far;
     return state;
   };
   for (const StepForm form : {StepForm::points, StepForm::stiffness})
     for (const SweepOptions& way : ways(form)) {
       State<2> state = broken();
-      Sweep<2> sweep(disc, way);
-      BoundaryForces<2> forces(disc);
+      Sweep<2> sweep(body, way);
+      BoundaryForces<2> forces(body);
 
       EXPECT_THROW(sweep.step(state, dt, now + dt, forces), NumericalError);
 
-      EXPECT_EQ(state.u(disc.nodes() / 2, 0), far);
-      state.u(disc.nodes() / 2, 0) = broken().u(disc.nodes() / 2, 0);
+      EXPECT_EQ(state.u(body.nodes() / 2, 0), far);
+      state.u(body.nodes() / 2, 0) = broken().u(body.nodes() / 2, 0);
       EXPECT_LE((state.u - broken().u).cwiseAbs().maxCoeff(), 1e-15);
       EXPECT_LE((state.v - broken().v).cwiseAbs().maxCoeff(), 1e-11);
       EXPECT_EQ(state.step, 0);

@@ -19,9 +19,9 @@ TEST_P(SweepOfOperators, IsTheStepOfTheirProducts) {
   for (std::vector<std::string> overrides : stabilisers) {
     SCOPED_TRACE(overrides.back());
     overrides.push_back(fine_spacing(GetParam()));
-    discretised(scene_of(GetParam(), overrides), [](auto disc) {
-      set_material(disc, {"neo-hookean", "strain"});
-      expect_the_same_step(disc);
+    discretised(scene_of(GetParam(), overrides), [](auto body) {
+      set_material(body, {"neo-hookean", "strain"});
+      expect_the_same_step(body);
     });
   }
 }
@@ -33,11 +33,11 @@ class SweepOfLaws : public testing::TestWithParam<const char*> {};
 TEST_P(SweepOfLaws, IsTheStepOfTheirStress) {
   for (const Material& material : materials()) {
     SCOPED_TRACE(std::string(material.law) + " " + material.assumption);
-    discretised(scene_of({GetParam(), "stress-point", "", "", ""}), [&](auto disc) {
-      set_material(disc, material);
-      expect_the_same_step(disc);
-      expect_the_same_step(disc, 0.25);
-      expect_the_same_step(disc, 0.01);  // logarithms of small changes of volume alone
+    discretised(scene_of({GetParam(), "stress-point", "", "", ""}), [&](auto body) {
+      set_material(body, material);
+      expect_the_same_step(body);
+      expect_the_same_step(body, 0.25);
+      expect_the_same_step(body, 0.01);  // logarithms of small changes of volume alone
     });
   }
 }
@@ -61,14 +61,14 @@ INSTANTIATE_TEST_SUITE_P(, SweepOfBoundaries,
 
 /// What probes look at, bit by bit what a look at everything shows there.
 TEST(PartialEvaluation, IsTheRowsOfTheWhole) {
-  const Discretisation<2> disc = build<2>(read_scene_text(busy_scene, "busy", {}));
-  State<2> whole = moving<2>(disc, 0.01);
-  State<2> part = moving<2>(disc, 0.01);
-  const std::vector<Index> nodes = {700, 0, 3, disc.nodes() - 1};
+  const Discretisation<2> body = build<2>(read_scene_text(busy_scene, "busy", {}));
+  State<2> whole = moving<2>(body, 0.01);
+  State<2> part = moving<2>(body, 0.01);
+  const std::vector<Index> nodes = {700, 0, 3, body.nodes() - 1};
   const std::vector<Index> points = {17, 5};
 
-  evaluate<2>(disc, whole);
-  PartialEvaluation<2>(disc, nodes, points).evaluate(disc, part);
+  evaluate<2>(body, whole);
+  PartialEvaluation<2>(body, nodes, points).evaluate(body, part);
 
   for (const Index q : nodes) EXPECT_EQ(part.f.row(q), whole.f.row(q)) << q;
   for (const Index s : points) {
@@ -79,12 +79,12 @@ TEST(PartialEvaluation, IsTheRowsOfTheWhole) {
 }
 
 TEST(Sweep, KeepsRunsOfAsManyThreadsBitIdentical) {
-  const Discretisation<2> disc = build<2>(
+  const Discretisation<2> body = build<2>(
       scene_of({"jittered", "variational", "", "wendland-c2", "2.5"}, {"body.spacing=4e-3"}));
   const auto run = [&] {
-    State<2> state = moving<2>(disc);
-    Sweep<2> sweep(disc, {2, false, Instructions::widest});
-    BoundaryForces<2> forces(disc);
+    State<2> state = moving<2>(body);
+    Sweep<2> sweep(body, {2, false, Instructions::widest});
+    BoundaryForces<2> forces(body);
     for (int n = 1; n <= 50; ++n) sweep.step(state, dt, now + n * dt, forces);
     return state.u;
   };
@@ -101,18 +101,18 @@ TEST(Sweep, KeepsRunsOfAsManyThreadsBitIdentical) {
 
 /// A body in which one particle is thrown over its neighbours.
 TEST(Sweep, RestoresTheStateThatHasNoStress) {
-  Discretisation<2> disc =
+  Discretisation<2> body =
       build<2>(scene_of({"box", "stress-point", "", "", ""}, {"body.spacing=4e-3"}));
-  set_material(disc, {"neo-hookean", "strain"});
+  set_material(body, {"neo-hookean", "strain"});
   const auto broken = [&] {
-    State<2> state = moving<2>(disc);
-    state.u(disc.nodes() / 2, 0) += 5.0 * disc.spacing;
+    State<2> state = moving<2>(body);
+    state.u(body.nodes() / 2, 0) += 5.0 * body.spacing;
     return state;
   };
   for (const SweepOptions& way : ways()) {
     State<2> state = broken();
-    Sweep<2> sweep(disc, way);
-    BoundaryForces<2> forces(disc);
+    Sweep<2> sweep(body, way);
+    BoundaryForces<2> forces(body);
 
     EXPECT_THROW(sweep.step(state, dt, now + dt, forces), NumericalError);
 
@@ -125,17 +125,17 @@ TEST(Sweep, RestoresTheStateThatHasNoStress) {
 
 /// Weights of 24 bits: forces as good as that, and none from a rigid displacement.
 TEST(Sweep, WithSingleWeightsDiffersByTheirRounding) {
-  const Discretisation<2> disc = build<2>(
+  const Discretisation<2> body = build<2>(
       scene_of({"jittered", "variational", "", "wendland-c2", "2.5"}, {"body.spacing=4e-3"}));
-  State<2> expected = moving<2>(disc);
-  evaluate<2>(disc, expected);
-  const double change = dt * disc.inverse_mass.maxCoeff() * expected.f.cwiseAbs().maxCoeff();
-  advance<2>(disc, expected, dt, now + dt);
-  Sweep<2> sweep(disc, {1, true, Instructions::widest});
-  BoundaryForces<2> forces(disc);
-  State<2> state = moving<2>(disc);
-  State<2> carried = make_state<2>(disc, VectorField<2>::Constant(disc.nodes(), 2, 7.0),
-                                   VectorField<2>::Zero(disc.nodes(), 2));
+  State<2> expected = moving<2>(body);
+  evaluate<2>(body, expected);
+  const double change = dt * body.inverse_mass.maxCoeff() * expected.f.cwiseAbs().maxCoeff();
+  advance<2>(body, expected, dt, now + dt);
+  Sweep<2> sweep(body, {1, true, Instructions::widest});
+  BoundaryForces<2> forces(body);
+  State<2> state = moving<2>(body);
+  State<2> carried = make_state<2>(body, VectorField<2>::Constant(body.nodes(), 2, 7.0),
+                                   VectorField<2>::Zero(body.nodes(), 2));
   carried.last_dt = dt;
 
   sweep.step(state, dt, now + dt, forces);

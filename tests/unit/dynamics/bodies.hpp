@@ -16,30 +16,30 @@ inline constexpr double density = 1000.0;
 template <int D>
 Discretisation<D> cells_of(int cells, LawName law = LawName::linear_elastic) {
   constexpr double spacing = 0.02;
-  Discretisation<D> disc;
-  disc.particles = make_lattice<D>(
+  Discretisation<D> body;
+  body.particles = make_lattice<D>(
       Shape<D>{Box<D>{Vector<D>::Zero(), Vector<D>::Constant(spacing * cells)}}, spacing);
-  disc.points = cell_points<D>(disc.particles);
-  disc.spacing = spacing;
-  disc.gradient = cell_gradient<D>(disc.particles, disc.points);
-  disc.divergence = disc.gradient.negative_adjoint(disc.points.V);
-  disc.mass = density * disc.particles.V;
-  disc.inverse_mass = disc.mass.cwiseInverse().replicate(1, D);
-  disc.regions = {{make_law<D>(law, Assumption::strain, young, 0.3), density, {}}};
-  return disc;
+  body.points = cell_points<D>(body.particles);
+  body.spacing = spacing;
+  body.gradient = cell_gradient<D>(body.particles, body.points);
+  body.divergence = body.gradient.negative_adjoint(body.points.V);
+  body.mass = density * body.particles.V;
+  body.inverse_mass = body.mass.cwiseInverse().replicate(1, D);
+  body.regions = {{make_law<D>(law, Assumption::strain, young, 0.3), density, {}}};
+  return body;
 }
 
 template <int D>
-void hold(Discretisation<D>& disc, Index dof) {
-  disc.constraints.fixed.push_back(dof);
-  disc.inverse_mass.data()[dof] = 0.0;
+void hold(Discretisation<D>& body, Index dof) {
+  body.constraints.fixed.push_back(dof);
+  body.inverse_mass.data()[dof] = 0.0;
 }
 
 template <int D>
-void move(Discretisation<D>& disc, Index dof, const Curve& curve) {
-  disc.constraints.moved.push_back({dof, disc.constraints.curves.size()});
-  disc.constraints.curves.push_back(curve);
-  disc.inverse_mass.data()[dof] = 0.0;
+void move(Discretisation<D>& body, Index dof, const Curve& curve) {
+  body.constraints.moved.push_back({dof, body.constraints.curves.size()});
+  body.constraints.curves.push_back(curve);
+  body.inverse_mass.data()[dof] = 0.0;
 }
 
 }  // namespace tlsph::test

@@ -13,33 +13,33 @@ namespace tlsph {
 namespace {
 
 template <int D>
-State<D> stretched(const Discretisation<D>& disc, const VectorField<D>& u) {
-  State<D> state = make_state<D>(disc, u, VectorField<D>::Zero(disc.nodes(), D));
-  evaluate<D>(disc, state);
+State<D> stretched(const Discretisation<D>& body, const VectorField<D>& u) {
+  State<D> state = make_state<D>(body, u, VectorField<D>::Zero(body.nodes(), D));
+  evaluate<D>(body, state);
   return state;
 }
 
 /// A bar of three cells with these stretches.
-State<1> bar_with(const Discretisation<1>& disc, const std::array<double, 3>& stretches) {
+State<1> bar_with(const Discretisation<1>& body, const std::array<double, 3>& stretches) {
   VectorField<1> u = VectorField<1>::Zero(4, 1);
   for (Index cell = 0; cell < 3; ++cell)
-    u(cell + 1, 0) = u(cell, 0) + (stretches[static_cast<std::size_t>(cell)] - 1.0) * disc.spacing;
-  return stretched<1>(disc, u);
+    u(cell + 1, 0) = u(cell, 0) + (stretches[static_cast<std::size_t>(cell)] - 1.0) * body.spacing;
+  return stretched<1>(body, u);
 }
 
 Discretisation<1> rubber_bar() {
-  auto disc = test::cells_of<1>(3);
-  disc.regions = {
+  auto body = test::cells_of<1>(3);
+  body.regions = {
       {make_law<1>(LawName::neo_hookean, Assumption::strain, test::young, 0.49), 1000.0, {}}};
-  return disc;
+  return body;
 }
 
 /// dP/dF = μ(1 + 1/F²) + λ(1 − ln F)/F² is negative between 3.63 and 6.40 and least at 4.4.
 TEST(MostUnstablePoint, IsTheOneFurthestBeyondTheLimit) {
-  const auto disc = rubber_bar();
-  EXPECT_FALSE(most_unstable_point<1>(disc, bar_with(disc, {1.0, 3.62, 6.41})));
+  const auto body = rubber_bar();
+  EXPECT_FALSE(most_unstable_point<1>(body, bar_with(body, {1.0, 3.62, 6.41})));
 
-  const auto worst = most_unstable_point<1>(disc, bar_with(disc, {3.65, 4.4, 2.0}));
+  const auto worst = most_unstable_point<1>(body, bar_with(body, {3.65, 4.4, 2.0}));
 
   ASSERT_TRUE(worst);
   EXPECT_EQ(worst->point, 1);
@@ -51,11 +51,11 @@ TEST(MostUnstablePoint, IsTheOneFurthestBeyondTheLimit) {
 }
 
 TEST(MostUnstablePoint, IsSoughtInEveryRegion) {
-  auto disc = rubber_bar();
+  auto body = rubber_bar();
   const auto soft = make_law<1>(LawName::neo_hookean, Assumption::strain, test::young, 0.3);
-  disc.regions = {{soft, 1000.0, {0, 1}}, {disc.regions[0].law, 1000.0, {2}}};
+  body.regions = {{soft, 1000.0, {0, 1}}, {body.regions[0].law, 1000.0, {2}}};
 
-  const auto worst = most_unstable_point<1>(disc, bar_with(disc, {4.4, 4.4, 4.0}));
+  const auto worst = most_unstable_point<1>(body, bar_with(body, {4.4, 4.4, 4.0}));
 
   ASSERT_TRUE(worst);
   EXPECT_EQ(worst->point, 2);
@@ -63,14 +63,14 @@ TEST(MostUnstablePoint, IsSoughtInEveryRegion) {
 
 /// Largest stretch first, whatever the axes: λ₁ = 3, λ₂ = 2 in a sheet at ν = 0.49.
 TEST(MostUnstablePoint, NamesThePrincipalStretches) {
-  auto disc = test::cells_of<2>(2);
-  disc.regions = {
+  auto body = test::cells_of<2>(2);
+  body.regions = {
       {make_law<2>(LawName::neo_hookean, Assumption::strain, test::young, 0.49), 1000.0, {}}};
-  VectorField<2> u(disc.nodes(), 2);
-  u.col(0) = disc.particles.X.col(0);
-  u.col(1) = 2.0 * disc.particles.X.col(1);
+  VectorField<2> u(body.nodes(), 2);
+  u.col(0) = body.particles.X.col(0);
+  u.col(1) = 2.0 * body.particles.X.col(1);
 
-  const auto worst = most_unstable_point<2>(disc, stretched<2>(disc, u));
+  const auto worst = most_unstable_point<2>(body, stretched<2>(body, u));
 
   ASSERT_TRUE(worst);
   EXPECT_NEAR(worst->stretches[0], 3.0, 1e-12);
@@ -79,8 +79,8 @@ TEST(MostUnstablePoint, NamesThePrincipalStretches) {
 }
 
 TEST(MostUnstablePoint, IsNoneOfALinearBody) {
-  const auto disc = test::cells_of<1>(3);
-  EXPECT_FALSE(most_unstable_point<1>(disc, bar_with(disc, {0.1, 4.4, 50.0})));
+  const auto body = test::cells_of<1>(3);
+  EXPECT_FALSE(most_unstable_point<1>(body, bar_with(body, {0.1, 4.4, 50.0})));
 }
 
 }  // namespace

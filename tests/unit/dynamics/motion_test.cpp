@@ -30,7 +30,7 @@ void runge_kutta(const Motion& motion, double t, double dt, typename Motion::Sta
 /// ṗ = D P(H), Ḣ = G M⁻¹ p.
 template <int D>
 struct MomentumMotion {
-  const Discretisation<D>& disc;
+  const Discretisation<D>& body;
 
   struct State {
     VectorField<D> p;
@@ -42,22 +42,22 @@ struct MomentumMotion {
     TensorField<D> P = state.H;
     for (Index s = 0; s < P.rows(); ++s)
       Eigen::Map<Tensor<D>>(P.data() + s * D * D) =
-          pk1<D>(disc.regions.front().law, tensor_at<D>(state.H, s));
+          pk1<D>(body.regions.front().law, tensor_at<D>(state.H, s));
     out.p.setZero(state.p.rows(), D);
     out.H.setZero(state.H.rows(), D * D);
-    disc.divergence.divergence(P, out.p);
-    out.p = out.p.cwiseProduct((disc.inverse_mass.array() > 0.0).template cast<double>().matrix());
-    disc.gradient.gradient(disc.inverse_mass.cwiseProduct(state.p), out.H);
+    body.divergence.divergence(P, out.p);
+    out.p = out.p.cwiseProduct((body.inverse_mass.array() > 0.0).template cast<double>().matrix());
+    body.gradient.gradient(body.inverse_mass.cwiseProduct(state.p), out.H);
   }
   void add(double h, const Rate& rate, State& state) const {
     state.p += h * rate.p;
     state.H += h * rate.H;
   }
   [[nodiscard]] double energy(const State& state) const {
-    double sum = 0.5 * disc.inverse_mass.cwiseProduct(state.p).cwiseProduct(state.p).sum();
+    double sum = 0.5 * body.inverse_mass.cwiseProduct(state.p).cwiseProduct(state.p).sum();
     for (Index s = 0; s < state.H.rows(); ++s)
       sum +=
-          disc.points.V[s] * tlsph::energy<D>(disc.regions.front().law, tensor_at<D>(state.H, s));
+          body.points.V[s] * tlsph::energy<D>(body.regions.front().law, tensor_at<D>(state.H, s));
     return sum;
   }
 };
@@ -65,16 +65,16 @@ static_assert(EquationOfMotion<MomentumMotion<1>> && EquationOfMotion<MomentumMo
 
 /// One cell held at one end is a mass on a spring: u = u₀ cos ωt, to order four.
 TEST(Motion, OfAMassOnASpringIsItsSwing) {
-  auto disc = test::cells_of<1>(1);
-  test::hold<1>(disc, 0);
-  const double modulus = tangent<1>(disc.regions[0].law, Tensor<1>::Zero())(0, 0);
-  const double omega = std::sqrt(modulus / disc.spacing / disc.mass[1]);
+  auto body = test::cells_of<1>(1);
+  test::hold<1>(body, 0);
+  const double modulus = tangent<1>(body.regions[0].law, Tensor<1>::Zero())(0, 0);
+  const double omega = std::sqrt(modulus / body.spacing / body.mass[1]);
   const auto error_of = [&](int steps) {
     VectorField<1> u = VectorField<1>::Zero(2, 1);
     u(1, 0) = 1e-4;
-    State<1> state = make_state<1>(disc, u, VectorField<1>::Zero(2, 1));
+    State<1> state = make_state<1>(body, u, VectorField<1>::Zero(2, 1));
     const double dt = 1.0 / (omega * steps);
-    for (int n = 0; n < steps; ++n) runge_kutta(DisplacementMotion<1>{disc}, n * dt, dt, state);
+    for (int n = 0; n < steps; ++n) runge_kutta(DisplacementMotion<1>{body}, n * dt, dt, state);
     return std::abs(state.u(1, 0) / 1e-4 - std::cos(1.0));
   };
 
@@ -83,11 +83,11 @@ TEST(Motion, OfAMassOnASpringIsItsSwing) {
 }
 
 TEST(Motion, FollowsTheCurveOfAMovedNode) {
-  auto disc = test::cells_of<1>(3);
+  auto body = test::cells_of<1>(3);
   const Curve curve = RampCurve{1e-3, 1e-3, true};
-  test::move<1>(disc, 3, curve);
-  const DisplacementMotion<1> motion{disc};
-  State<1> state = make_state<1>(disc, VectorField<1>::Zero(4, 1), VectorField<1>::Zero(4, 1));
+  test::move<1>(body, 3, curve);
+  const DisplacementMotion<1> motion{body};
+  State<1> state = make_state<1>(body, VectorField<1>::Zero(4, 1), VectorField<1>::Zero(4, 1));
   DisplacementMotion<1>::Rate rate;
 
   motion.rate(4e-4, state, rate);
@@ -100,27 +100,27 @@ TEST(Motion, FollowsTheCurveOfAMovedNode) {
 /// H = G u commutes with every step, so a formulation of {p, H} and one of {u, v} are the same
 /// motion, and have the same energy.
 TEST(Motion, OfMomentumAndGradientIsThatOfDisplacementAndVelocity) {
-  auto disc = test::cells_of<2>(3, LawName::neo_hookean);
-  for (const Index dof : {0, 1, 3}) test::hold<2>(disc, dof);
-  VectorField<2> v = VectorField<2>::Zero(disc.nodes(), 2);
-  for (Index q = 0; q < disc.nodes(); ++q)
+  auto body = test::cells_of<2>(3, LawName::neo_hookean);
+  for (const Index dof : {0, 1, 3}) test::hold<2>(body, dof);
+  VectorField<2> v = VectorField<2>::Zero(body.nodes(), 2);
+  for (Index q = 0; q < body.nodes(); ++q)
     v.row(q) << std::sin(2.0 * double(q)), std::cos(double(q));
-  v = v.cwiseProduct((disc.inverse_mass.array() > 0.0).cast<double>().matrix());
+  v = v.cwiseProduct((body.inverse_mass.array() > 0.0).cast<double>().matrix());
   const double dt = 2e-5;
-  State<2> displaced = make_state<2>(disc, VectorField<2>::Zero(disc.nodes(), 2), v);
-  MomentumMotion<2>::State moving{v, TensorField<2>::Zero(disc.points.size(), 4)};
-  moving.p.array().colwise() *= disc.mass.array();
+  State<2> displaced = make_state<2>(body, VectorField<2>::Zero(body.nodes(), 2), v);
+  MomentumMotion<2>::State moving{v, TensorField<2>::Zero(body.points.size(), 4)};
+  moving.p.array().colwise() *= body.mass.array();
 
   for (int n = 0; n < 40; ++n) {
-    runge_kutta(DisplacementMotion<2>{disc}, n * dt, dt, displaced);
-    runge_kutta(MomentumMotion<2>{disc}, n * dt, dt, moving);
+    runge_kutta(DisplacementMotion<2>{body}, n * dt, dt, displaced);
+    runge_kutta(MomentumMotion<2>{body}, n * dt, dt, moving);
   }
-  evaluate<2>(disc, displaced);
+  evaluate<2>(body, displaced);
 
   ASSERT_GT(displaced.H.cwiseAbs().maxCoeff(), 1e-2);
   EXPECT_LE((moving.H - displaced.H).cwiseAbs().maxCoeff(), 1e-13);
-  const double energy = DisplacementMotion<2>{disc}.energy(displaced);
-  EXPECT_NEAR(MomentumMotion<2>{disc}.energy(moving), energy, 1e-12 * energy);
+  const double energy = DisplacementMotion<2>{body}.energy(displaced);
+  EXPECT_NEAR(MomentumMotion<2>{body}.energy(moving), energy, 1e-12 * energy);
 }
 
 }  // namespace

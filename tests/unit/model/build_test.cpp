@@ -37,15 +37,15 @@ const std::string two_regions =
     "{box=[[0.2, 0.0], [0.4, 0.1]], density=8000.0, young=1e6}]";
 
 TEST(BuildMaterials, GivesOverlappingRegionsTheLastMaterial) {
-  const auto disc = build<2>(scene_with({two_regions}));
-  ASSERT_EQ(disc.regions.size(), 3U);
-  std::vector<double> density(static_cast<std::size_t>(disc.points.size()), 0.0);
-  for (const auto& region : disc.regions)
+  const auto body = build<2>(scene_with({two_regions}));
+  ASSERT_EQ(body.regions.size(), 3U);
+  std::vector<double> density(static_cast<std::size_t>(body.points.size()), 0.0);
+  for (const auto& region : body.regions)
     for (const int s : region.points) density[static_cast<std::size_t>(s)] += region.density;
 
-  for (Index s = 0; s < disc.points.size(); ++s) {
-    const double x = disc.points.X(s, 0);
-    const double y = disc.points.X(s, 1);
+  for (Index s = 0; s < body.points.size(); ++s) {
+    const double x = body.points.X(s, 0);
+    const double y = body.points.X(s, 1);
     const double expected = x > 0.2 && y < 0.1 ? 8000.0 : x > 0.1 && x < 0.3 ? 3000.0 : 1000.0;
     ASSERT_EQ(density[static_cast<std::size_t>(s)], expected) << x << ", " << y;
   }
@@ -53,15 +53,15 @@ TEST(BuildMaterials, GivesOverlappingRegionsTheLastMaterial) {
 
 /// Nodes on an interface take their shares of both sides: no mass is lost or moved.
 TEST(BuildMaterials, KeepsTheMassOfEveryRegion) {
-  const auto disc = build<2>(scene_with({two_regions}));
+  const auto body = build<2>(scene_with({two_regions}));
 
   const double expected = 8000.0 * 0.02 + 3000.0 * 0.03 + 1000.0 * 0.03;
-  EXPECT_NEAR(disc.mass.sum(), expected, 1e-12 * expected);
-  for (Index q = 0; q < disc.nodes(); ++q) {
-    const double x = disc.particles.X(q, 0);
-    const double y = disc.particles.X(q, 1);
+  EXPECT_NEAR(body.mass.sum(), expected, 1e-12 * expected);
+  for (Index q = 0; q < body.nodes(); ++q) {
+    const double x = body.particles.X(q, 0);
+    const double y = body.particles.X(q, 1);
     if (std::abs(x - 0.2) < 1e-9 && std::abs(y - 0.06) < 1e-9) {
-      EXPECT_NEAR(disc.mass[q], 0.5 * (8000.0 + 3000.0) * 4e-4, 1e-12);
+      EXPECT_NEAR(body.mass[q], 0.5 * (8000.0 + 3000.0) * 4e-4, 1e-12);
     }
   }
 }
@@ -94,19 +94,19 @@ TEST(BuildConditions, RefusesToHoldAPartWithoutParticles) {
 TEST(BuildConditions, MirrorAtTheEdgeInABox) {
   const auto scene = scene_with({"body.tags=[{name=\"end\", box=[[0.39, -1.0], [0.41, 1.0]]}]",
                                  "boundary=[{where=\"end\", symmetry=true}]"});
-  const auto disc = build<2>(scene);
-  const Patch<2>& right = *disc.particles.find("right");
-  ASSERT_EQ(disc.constraints.fixed.size(), right.nodes.size());
+  const auto body = build<2>(scene);
+  const Patch<2>& right = *body.particles.find("right");
+  ASSERT_EQ(body.constraints.fixed.size(), right.nodes.size());
   for (std::size_t k = 0; k < right.nodes.size(); ++k)
-    EXPECT_EQ(disc.constraints.fixed[k], 2 * Index{right.nodes[k]});
+    EXPECT_EQ(body.constraints.fixed[k], 2 * Index{right.nodes[k]});
 }
 
 /// Uniform stress balances tractions over the whole boundary, by names, numbers or a box.
 TEST(BuildConditions, LoadsOfWholeEdgesAreTheSameByAnyName) {
   const auto weights = [](const std::vector<std::string>& overrides) {
-    const auto disc = build<2>(scene_with(overrides));
-    VectorField<2> sum = VectorField<2>::Zero(disc.nodes(), 2);
-    for (const Load& load : disc.loads)
+    const auto body = build<2>(scene_with(overrides));
+    VectorField<2> sum = VectorField<2>::Zero(body.nodes(), 2);
+    for (const Load& load : body.loads)
       for (std::size_t k = 0; k < load.dof.size(); ++k) sum.data()[load.dof[k]] += load.weight[k];
     return sum;
   };
@@ -131,11 +131,11 @@ TEST(BuildConditions, RefusesTwoMotionsOfOneCorner) {
 }
 
 TEST(BuildConditions, HoldsACornerOnceThatTwoEdgesHold) {
-  const auto disc =
+  const auto body =
       build<2>(scene_with({"boundary=[{where=\"left\", fixed=true}, "
                            "{where=\"bottom\", fixed=true}]"}));
-  EXPECT_EQ(disc.constraints.fixed.size(), 2U * (11 + 21 - 1));
-  for (const Index dof : disc.constraints.fixed) EXPECT_EQ(disc.inverse_mass.data()[dof], 0.0);
+  EXPECT_EQ(body.constraints.fixed.size(), 2U * (11 + 21 - 1));
+  for (const Index dof : body.constraints.fixed) EXPECT_EQ(body.inverse_mass.data()[dof], 0.0);
 }
 
 /// [[initial.region]] replaces what [initial] says; of overlapping boxes the last counts, and a
@@ -145,12 +145,12 @@ TEST(BuildInitial, GivesRegionsTheirOwnStart) {
       {"initial.displacement={gradient=[[0.1, 0.0], [0.0, 0.0]]}", "initial.velocity=[0.0, 2.0]",
        "initial.region=[{box=[[0.1, 0.0], [0.3, 0.2]], velocity=[1.0, 0.0]}, "
        "{box=[[0.2, 0.0], [0.4, 0.1]], displacement={constant=[0.0, 0.5]}, velocity=[3.0, 0.0]}]"});
-  const auto disc = build<2>(scene);
+  const auto body = build<2>(scene);
 
-  const auto initial = build_initial<2>(scene, disc);
+  const auto initial = build_initial<2>(scene, body);
 
-  for (Index q = 0; q < disc.nodes(); ++q) {
-    const Vector<2> X = disc.particles.X.row(q).transpose();
+  for (Index q = 0; q < body.nodes(); ++q) {
+    const Vector<2> X = body.particles.X.row(q).transpose();
     const bool last = X[0] > 0.19 && X[1] < 0.11;
     const bool first = !last && X[0] > 0.09 && X[0] < 0.31;
     const Vector<2> u = last ? Vector<2>(0.0, 0.5) : Vector<2>(0.1 * X[0], 0.0);
@@ -163,8 +163,8 @@ TEST(BuildInitial, GivesRegionsTheirOwnStart) {
 TEST(BuildInitial, RefusesARegionWithoutParticles) {
   const auto scene =
       scene_with({"initial.region=[{box=[[0.201, 0.0], [0.202, 0.2]], velocity=[1.0, 0.0]}]"});
-  const auto disc = build<2>(scene);
-  EXPECT_THROW((void)build_initial<2>(scene, disc), InputError);
+  const auto body = build<2>(scene);
+  EXPECT_THROW((void)build_initial<2>(scene, body), InputError);
 }
 
 const std::string stretched = "initial.displacement={gradient=[[0.05, 0.01], [0.01, 0.02]]}";
@@ -173,24 +173,24 @@ const std::string stretched = "initial.displacement={gradient=[[0.05, 0.01], [0.
 TEST(BuildConditions, HoldsParticlesAtTheirInitialDisplacement) {
   const auto scene = scene_with(
       {stretched, "boundary=[{where=\"outer\", held=true}]", "initial.velocity=[1.0, 1.0]"});
-  const auto disc = build<2>(scene);
-  auto initial = build_initial<2>(scene, disc);
+  const auto body = build<2>(scene);
+  auto initial = build_initial<2>(scene, body);
   const VectorField<2> u = initial.displacement;
-  auto state = make_state<2>(disc, initial.displacement, initial.velocity);
+  auto state = make_state<2>(body, initial.displacement, initial.velocity);
 
-  evaluate<2>(disc, state);
-  start<2>(disc, state, 1e-5);
+  evaluate<2>(body, state);
+  start<2>(body, state, 1e-5);
   for (int step = 0; step < 3; ++step) {
-    advance<2>(disc, state, 1e-5, state.time + 1e-5);
-    evaluate<2>(disc, state);
+    advance<2>(body, state, 1e-5, state.time + 1e-5);
+    evaluate<2>(body, state);
   }
 
-  EXPECT_EQ(disc.constraints.held.size(), 2U * 60);
-  for (const Index dof : disc.constraints.held) {
+  EXPECT_EQ(body.constraints.held.size(), 2U * 60);
+  for (const Index dof : body.constraints.held) {
     EXPECT_EQ(state.u.data()[dof], u.data()[dof]);
     EXPECT_EQ(state.v.data()[dof], 0.0);
   }
-  const Index inner = disc.particles.frame->index({1, 1});
+  const Index inner = body.particles.frame->index({1, 1});
   EXPECT_NE(state.u(inner, 0), u(inner, 0));
 }
 
@@ -244,12 +244,12 @@ TEST(BuildInitial, RefusesAPrestressThatTheOperatorsDoNotBalance) {
 
 /// A normal traction on an edge is its length times the pressure in all.
 TEST(BuildConditions, LoadsAnEdgeWithItsWholeLength) {
-  const auto disc = build<2>(scene_with({"boundary=[{where=\"top\", traction=1.0}]"}));
-  ASSERT_EQ(disc.loads.size(), 1U);
+  const auto body = build<2>(scene_with({"boundary=[{where=\"top\", traction=1.0}]"}));
+  ASSERT_EQ(body.loads.size(), 1U);
   double x = 0.0;
   double y = 0.0;
-  for (std::size_t k = 0; k < disc.loads[0].dof.size(); ++k)
-    (disc.loads[0].dof[k] % 2 == 0 ? x : y) += disc.loads[0].weight[k];
+  for (std::size_t k = 0; k < body.loads[0].dof.size(); ++k)
+    (body.loads[0].dof[k] % 2 == 0 ? x : y) += body.loads[0].weight[k];
 
   EXPECT_NEAR(x, 0.0, 1e-15);
   EXPECT_NEAR(y, 0.4, 1e-14);
@@ -300,13 +300,13 @@ TEST(OperatorBytes, CountTheFieldsThatFollowTheStep) {
 TEST(BuildInitial, AddsConstantAndGradient) {
   const auto scene =
       scene_with({"initial.velocity={constant=[1.0, 2.0], gradient=[[0.5, 0.0], [-1.0, 2.0]]}"});
-  const auto disc = build<2>(scene);
+  const auto body = build<2>(scene);
 
-  const auto initial = build_initial<2>(scene, disc);
+  const auto initial = build_initial<2>(scene, body);
 
-  for (Index q = 0; q < disc.nodes(); ++q) {
-    const double x = disc.particles.X(q, 0);
-    const double y = disc.particles.X(q, 1);
+  for (Index q = 0; q < body.nodes(); ++q) {
+    const double x = body.particles.X(q, 0);
+    const double y = body.particles.X(q, 1);
     EXPECT_NEAR(initial.velocity(q, 0), 1.0 + 0.5 * x, 1e-15);
     EXPECT_NEAR(initial.velocity(q, 1), 2.0 - x + 2.0 * y, 1e-15);
   }

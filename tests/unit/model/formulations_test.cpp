@@ -65,17 +65,17 @@ TEST(FormulationTable, SaysWhatIsBuilt) {
   for (const FormulationTraits& row : formulation_table) {
     SCOPED_TRACE(std::string(row.name));
     const Scene scene = strip(formulation(row));
-    const auto disc = build<2>(scene);
+    const auto body = build<2>(scene);
     const bool natural = row.closure == Closure::natural;
 
     EXPECT_EQ(scene.formulation, row.formulation);
-    EXPECT_EQ(disc.points.size(), row.sites == StressSites::nodes ? disc.nodes() : Index{20 * 10});
-    EXPECT_EQ(disc.adjoint, natural);
-    EXPECT_EQ(disc.signals.empty(), natural);
-    EXPECT_EQ(disc.ghosts != nullptr, row.closure == Closure::ghosts);
-    EXPECT_EQ(disc.consistency.has_value(), row.corrected == Corrected::always);
-    EXPECT_EQ(disc.hourglass.empty(), row.stabiliser[1] != StabiliserKind::cell);
-    EXPECT_EQ(disc.stiffness.nonZeros() > 0, row.stabiliser[1] == StabiliserKind::pair);
+    EXPECT_EQ(body.points.size(), row.sites == StressSites::nodes ? body.nodes() : Index{20 * 10});
+    EXPECT_EQ(body.adjoint, natural);
+    EXPECT_EQ(body.signals.empty(), natural);
+    EXPECT_EQ(body.ghosts != nullptr, row.closure == Closure::ghosts);
+    EXPECT_EQ(body.consistency.has_value(), row.corrected == Corrected::always);
+    EXPECT_EQ(body.hourglass.empty(), row.stabiliser[1] != StabiliserKind::cell);
+    EXPECT_EQ(body.stiffness.nonZeros() > 0, row.stabiliser[1] == StabiliserKind::pair);
   }
 }
 
@@ -90,20 +90,20 @@ TEST(FormulationTable, ListsTheNamesOfRows) {
 /// Two steps, a copy, ten steps of both, one after the other and in turns.
 template <int D>
 void expect_copies_go_on_alike(const Scene& scene) {
-  const auto disc = build<D>(scene);
-  const InitialState<D> initial = build_initial<D>(scene, disc);
-  const double dt = 0.1 * disc.spacing / disc.wave_speed();
+  const auto body = build<D>(scene);
+  const InitialState<D> initial = build_initial<D>(scene, body);
+  const double dt = 0.1 * body.spacing / body.wave_speed();
   const auto step = [&](State<D>& state) {
-    evaluate<D>(disc, state);
-    advance<D>(disc, state, dt, state.time + dt);
+    evaluate<D>(body, state);
+    advance<D>(body, state, dt, state.time + dt);
   };
-  State<D> state = make_state<D>(disc, initial.displacement, initial.velocity);
-  evaluate<D>(disc, state);
-  start<D>(disc, state, dt);
+  State<D> state = make_state<D>(body, initial.displacement, initial.velocity);
+  evaluate<D>(body, state);
+  start<D>(body, state, dt);
   for (int n = 0; n < 2; ++n) step(state);
 
   State<D> copy = state;
-  State<D> assigned = make_state<D>(disc, initial.displacement, initial.velocity);
+  State<D> assigned = make_state<D>(body, initial.displacement, initial.velocity);
   assigned = state;
   for (int n = 0; n < 10; ++n) {
     step(state);

@@ -28,12 +28,12 @@ Tensor<2> stretch() {
 
 /// A sheet that is stretched evenly and flies.
 struct Sheet {
-  Discretisation<2> disc = test::cells_of<2>(4, LawName::neo_hookean);
-  State<2> state = make_state<2>(disc, VectorField<2>(disc.particles.X* stretch().transpose()),
-                                 Vector<2>(3.0, -2.0).transpose().replicate(disc.nodes(), 1));
+  Discretisation<2> body = test::cells_of<2>(4, LawName::neo_hookean);
+  State<2> state = make_state<2>(body, VectorField<2>(body.particles.X* stretch().transpose()),
+                                 Vector<2>(3.0, -2.0).transpose().replicate(body.nodes(), 1));
   Sheet() {
     state.last_dt = 1e-5;
-    evaluate<2>(disc, state);
+    evaluate<2>(body, state);
   }
 };
 
@@ -43,17 +43,17 @@ TEST_P(ProbePlaces, ShowTheHomogeneousState) {
   const Sheet sheet;
   const Vector<2> at = GetParam();
   const Probes<2> probes(
-      sheet.disc,
+      sheet.body,
       {{"p",
         at,
         {"displacement", "deformation_gradient", "pk1", "cauchy", "pressure", "von_mises"}}});
   std::vector<double> row(probes.columns().size());
 
-  probes.sample({sheet.disc, sheet.state, 1e-5}, row);
+  probes.sample({sheet.body, sheet.state, 1e-5}, row);
 
   const Tensor<2> H = stretch();
   const Tensor<2> F = Tensor<2>::Identity() + H;
-  const auto& law = sheet.disc.regions[0].law;
+  const auto& law = sheet.body.regions[0].law;
   const Tensor<2> P = pk1<2>(law, H);
   const Tensor<2> sigma = P * F.transpose() / F.determinant();
   const double third = std::visit([&](const auto& some) { return some.transverse_stress(H); }, law);
@@ -96,38 +96,38 @@ TEST(Probes, NameTheirColumns) {
 /// v_n = v_{n−½} + ½ Δt_{n−1} a_n, a_n from the difference of the half-step velocities: exact under
 /// constant acceleration where steps are unequal too.
 TEST(Probes, ShowVelocityAtTheTimeOfTheDisplacement) {
-  auto disc = test::cells_of<1>(2);
-  disc.body_force[0] = 4.0;
+  auto body = test::cells_of<1>(2);
+  body.body_force[0] = 4.0;
   State<1> state =
-      make_state<1>(disc, VectorField<1>::Zero(3, 1), VectorField<1>::Constant(3, 1, 5.0));
-  evaluate<1>(disc, state);
-  start<1>(disc, state, 1e-3);
-  const Probes<1> probes(disc, {{"p", Vector<1>(0.013), {"velocity", "acceleration"}}});
+      make_state<1>(body, VectorField<1>::Zero(3, 1), VectorField<1>::Constant(3, 1, 5.0));
+  evaluate<1>(body, state);
+  start<1>(body, state, 1e-3);
+  const Probes<1> probes(body, {{"p", Vector<1>(0.013), {"velocity", "acceleration"}}});
   std::vector<double> row(2);
 
-  probes.sample({disc, state, 1e-3}, row);
+  probes.sample({body, state, 1e-3}, row);
   EXPECT_NEAR(row[0], 5.0, 1e-14);
   EXPECT_NEAR(row[1], 4.0, 1e-11);
 
-  advance<1>(disc, state, 1e-3, 1e-3);
-  evaluate<1>(disc, state);
-  probes.sample({disc, state, 5e-4}, row);
+  advance<1>(body, state, 1e-3, 1e-3);
+  evaluate<1>(body, state);
+  probes.sample({body, state, 5e-4}, row);
   EXPECT_NEAR(row[0], 5.0 + 4.0 * 1e-3, 1e-14);
   EXPECT_NEAR(row[1], 4.0, 1e-11);
 }
 
 /// From cells of F = 1 and F = 0.1 the end is extrapolated to F < 0.
 TEST(Probes, ShowTheStressOfTheNearestPointBeyondTheRangeOfTheLaw) {
-  const auto disc = test::cells_of<1>(4, LawName::neo_hookean);
+  const auto body = test::cells_of<1>(4, LawName::neo_hookean);
   VectorField<1> u = VectorField<1>::Zero(5, 1);
-  u(4, 0) = -0.9 * disc.spacing;
-  State<1> state = make_state<1>(disc, u, VectorField<1>::Zero(5, 1));
-  evaluate<1>(disc, state);
-  const Vector<1> end = disc.particles.X.row(4).transpose();
-  const Probes<1> probes(disc, {{"p", end, {"deformation_gradient", "cauchy", "von_mises"}}});
+  u(4, 0) = -0.9 * body.spacing;
+  State<1> state = make_state<1>(body, u, VectorField<1>::Zero(5, 1));
+  evaluate<1>(body, state);
+  const Vector<1> end = body.particles.X.row(4).transpose();
+  const Probes<1> probes(body, {{"p", end, {"deformation_gradient", "cauchy", "von_mises"}}});
   std::vector<double> row(3);
 
-  probes.sample({disc, state, 1e-5}, row);
+  probes.sample({body, state, 1e-5}, row);
 
   EXPECT_LT(row[0], 0.0);
   EXPECT_NEAR(row[1] / state.P(3, 0), 1.0, 1e-12);

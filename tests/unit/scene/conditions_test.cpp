@@ -67,12 +67,12 @@ TEST(Conditions, OfLoadsAreTensionsAcrossASide) {
 
 TEST(Conditions, KnowTheAxisOfTheSidesOfABox) {
   const Scene box = sheet_with({});
-  const Scene disc = sheet_with({"body.shape={disc={centre=[0.5, 0.5], radius=1.0}}"});
+  const Scene body = sheet_with({"body.shape={disc={centre=[0.5, 0.5], radius=1.0}}"});
 
   EXPECT_EQ(patch_axis(box, "left"), 0);
   EXPECT_EQ(patch_axis(box, "top"), 1);
   EXPECT_EQ(patch_axis(box, "hole"), unknown_axis);
-  EXPECT_EQ(patch_axis(disc, "left"), unknown_axis);
+  EXPECT_EQ(patch_axis(body, "left"), unknown_axis);
 }
 
 }  // namespace

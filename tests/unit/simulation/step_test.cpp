@@ -73,7 +73,8 @@ const std::vector<Moving> bodies = {
      "[[boundary]]\nwhere = \"bottom\"\nfixed = true", "[[0.0, 1.6666666666666667], [0.0, 0.0]]",
      2.0, true},
     {"ring",
-     "{ difference = [{ disc = { centre = [0.0, 0.0], radius = 1.0 } }, { disc = { centre = [0.0, "
+     "{ difference = [{ discretisation = { centre = [0.0, 0.0], radius = 1.0 } }, { discretisation "
+     "= { centre = [0.0, "
      "0.0], radius = 0.5 } }] }",
      0.1, 0.3, "", "[[2.0, -5.0], [5.0, -2.0]]", 0.05, false},
     {"L", "{ polygon = [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0], [1.0, 2.0], [0.0, 2.0]] }",
@@ -167,17 +168,18 @@ TEST_F(StepOfARun, OwesNoMoreThanATwentiethToTheSmallestLimit) {
     const std::vector<std::string> end = {fmt::format("time.end={}", 2.0 * body.period)};
     const Scene scene = moving(body, end);
     const double dt = balanced(scene).last_dt;
-    const auto disc = build<2>(scene);
-    InitialState<2> initial = build_initial<2>(scene, disc);
-    State<2> state = make_state<2>(disc, initial.displacement, initial.velocity);
-    evaluate<2>(disc, state);
-    start<2>(disc, state, dt);
-    double smallest = critical_step<2>(disc, state).dt;
+    const auto discretisation = build<2>(scene);
+    InitialState<2> initial = build_initial<2>(scene, discretisation);
+    State<2> state = make_state<2>(discretisation, initial.displacement, initial.velocity);
+    evaluate<2>(discretisation, state);
+    start<2>(discretisation, state, dt);
+    double smallest = critical_step<2>(discretisation, state).dt;
 
     while (state.time < scene.time.end) {
-      advance<2>(disc, state, dt, state.time + dt);
-      evaluate<2>(disc, state);
-      if (state.step % 20 == 0) smallest = std::min(smallest, critical_step<2>(disc, state).dt);
+      advance<2>(discretisation, state, dt, state.time + dt);
+      evaluate<2>(discretisation, state);
+      if (state.step % 20 == 0)
+        smallest = std::min(smallest, critical_step<2>(discretisation, state).dt);
     }
 
     EXPECT_GE(dt, 0.9 * smallest / 1.05) << body.name;

@@ -59,45 +59,45 @@ void PrintTo(const StepCase& of, std::ostream* out) {
 /// M⁻¹K of the free degrees of freedom, a column a force: the law is linear, so −f(e)/m is the
 /// column.
 template <int D>
-SparseMatrix dynamic_matrix(const Discretisation<D>& disc, State<D>& state) {
+SparseMatrix dynamic_matrix(const Discretisation<D>& body, State<D>& state) {
   std::vector<Index> free;
   for (Index dof = 0; dof < state.u.size(); ++dof)
-    if (disc.inverse_mass.data()[dof] > 0.0) free.push_back(dof);
+    if (body.inverse_mass.data()[dof] > 0.0) free.push_back(dof);
   const auto n = static_cast<Index>(free.size());
   Eigen::MatrixXd dense(n, n);
   constexpr double size = 1e-3;  // keeps det F positive; the answer does not depend on it
   for (Index column = 0; column < n; ++column) {
     state.u.setZero();
-    state.u.data()[free[static_cast<std::size_t>(column)]] = size * disc.spacing;
-    evaluate<D>(disc, state);
+    state.u.data()[free[static_cast<std::size_t>(column)]] = size * body.spacing;
+    evaluate<D>(body, state);
     for (Index row = 0; row < n; ++row) {
       const Index dof = free[static_cast<std::size_t>(row)];
       dense(row, column) =
-          -disc.inverse_mass.data()[dof] * state.f.data()[dof] / (size * disc.spacing);
+          -body.inverse_mass.data()[dof] * state.f.data()[dof] / (size * body.spacing);
     }
   }
   state.u.setZero();
-  evaluate<D>(disc, state);
+  evaluate<D>(body, state);
   return dense.sparseView();
 }
 
 template <int D>
 void compare(const StepCase& of) {
   const Scene scene = read_scene_text(of.scene, "scene.toml", of.overrides);
-  const Discretisation<D> disc = build<D>(scene);
-  InitialState<D> initial = build_initial<D>(scene, disc);
+  const Discretisation<D> body = build<D>(scene);
+  InitialState<D> initial = build_initial<D>(scene, body);
   State<D> state =
-      make_state<D>(disc, std::move(initial.displacement), std::move(initial.velocity));
+      make_state<D>(body, std::move(initial.displacement), std::move(initial.velocity));
 
-  const auto spectrum = eigenvalues(dynamic_matrix<D>(disc, state));
-  const CriticalStep found = critical_step<D>(disc, state);
+  const auto spectrum = eigenvalues(dynamic_matrix<D>(body, state));
+  const CriticalStep found = critical_step<D>(body, state);
 
   const double dt = 2.0 / std::sqrt(std::abs(spectrum.front()));
   EXPECT_LE(found.dt, dt * (1.0 + 1e-9)) << "beyond the limit of stability";
   EXPECT_GE(found.dt, dt * 0.995) << "wastes steps";
-  EXPECT_NEAR(found.scaled, found.dt * disc.wave_speed() / disc.spacing, 1e-12 * found.scaled);
-  EXPECT_EQ(found.growth.has_value(), !disc.adjoint);
-  if (disc.adjoint) {
+  EXPECT_NEAR(found.scaled, found.dt * body.wave_speed() / body.spacing, 1e-12 * found.scaled);
+  EXPECT_EQ(found.growth.has_value(), !body.adjoint);
+  if (body.adjoint) {
     for (const std::complex<double>& value : spectrum) {
       EXPECT_GT(value.real(), -1e-9 * std::abs(spectrum.front()));
       EXPECT_LT(std::abs(value.imag()), 1e-6 * std::abs(spectrum.front()));
