@@ -7,14 +7,6 @@
 
 namespace tlsph {
 
-/// True in the closed set: boundary points, of holes too, belong to the shape. Tolerance 1e-10 of
-/// the diagonal of the bounding box.
-template <int D>
-bool contains(const Shape<D>& shape, const Vector<D>& x) {
-  const Box<D> box = bounding_box(shape);
-  return depth(shape, x) >= -1e-10 * (box.upper - box.lower).norm();
-}
-
 /// Point of the boundary (of holes too) closest to x.
 inline Vector<1> closest_boundary_point(const Shape<1>& shape, const Vector<1>& x) {
   const Box<1> interval = bounding_box(shape);

@@ -103,7 +103,7 @@ Void largest_void(const Particles<2>& particles, const Shape<2>& shape) {
     const Vector<2> arm = Vector<2>(c.y() * b.squaredNorm() - b.y() * c.squaredNorm(),
                                     b.x() * c.squaredNorm() - c.x() * b.squaredNorm()) /
                           twice;
-    if (arm.norm() > largest.radius && depth(shape, Vector<2>(a + arm)) >= 0.0)
+    if (arm.norm() > largest.radius && contains(shape, Vector<2>(a + arm)))
       largest = {a + arm, arm.norm()};
   }
   return largest;

@@ -216,8 +216,9 @@ void ValidationTable::write(const std::filesystem::path& directory) const {
   json.set("version", version);
   json.set("holds", holds());
   json.set("interrupted", interrupted);
-  json.make_list("cases");
-  for (const CaseResult& result : cases) json.append("cases", result.json());
+  std::vector<Json> results;
+  for (const CaseResult& result : cases) results.push_back(result.json());
+  json.set("cases", results);
   json.write(directory / "validation.json");
 }
 

@@ -21,6 +21,14 @@ template <int D>
 template <int D>
 [[nodiscard]] double depth(const Shape<D>& shape, const Vector<D>& x);
 
+/// True in the closed set: boundary points, of holes too, belong to the shape. Tolerance 1e-10 of
+/// the diagonal of the bounding box.
+template <int D>
+[[nodiscard]] bool contains(const Shape<D>& shape, const Vector<D>& x) {
+  const Box<D> box = bounding_box(shape);
+  return depth(shape, x) >= -1e-10 * (box.upper - box.lower).norm();
+}
+
 /// Length [m] or area [m²], in closed form for every shape (see geometry/outline.hpp).
 template <int D>
 [[nodiscard]] double area(const Shape<D>& shape);

@@ -5,6 +5,7 @@
 
 #include <numeric>
 
+#include "tlsph/filling/lattice.hpp"
 #include "tlsph/geometry/region.hpp"
 #include "tlsph/particles/points.hpp"
 #include "unit/particles/refusal.hpp"

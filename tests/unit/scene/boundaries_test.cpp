@@ -111,8 +111,8 @@ TEST(CurveKey, TableIsScaledByItsAmplitude) {
       std::get<TableCurve>(curve("curve=\"table\", time=[0, 1], value=[2, 3], amplitude=10"));
 
   EXPECT_THAT(plain.time, ElementsAre(0, 1));
-  EXPECT_THAT(plain.value, ElementsAre(2, 3));
-  EXPECT_THAT(scaled.value, ElementsAre(20, 30));
+  EXPECT_THAT(plain.values, ElementsAre(2, 3));
+  EXPECT_THAT(scaled.values, ElementsAre(20, 30));
 }
 
 TEST(CurveKey, TableOfALoadIsLinearUnlessAskedOtherwise) {
