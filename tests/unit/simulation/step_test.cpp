@@ -73,8 +73,7 @@ const std::vector<Moving> bodies = {
      "[[boundary]]\nwhere = \"bottom\"\nfixed = true", "[[0.0, 1.6666666666666667], [0.0, 0.0]]",
      2.0, true},
     {"ring",
-     "{ difference = [{ discretisation = { centre = [0.0, 0.0], radius = 1.0 } }, { discretisation "
-     "= { centre = [0.0, "
+     "{ difference = [{ disc = { centre = [0.0, 0.0], radius = 1.0 } }, { disc = { centre = [0.0, "
      "0.0], radius = 0.5 } }] }",
      0.1, 0.3, "", "[[2.0, -5.0], [5.0, -2.0]]", 0.05, false},
     {"L", "{ polygon = [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0], [1.0, 2.0], [0.0, 2.0]] }",
