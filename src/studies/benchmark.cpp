@@ -24,7 +24,7 @@ namespace {
 constexpr int batches = 7;
 
 /// One body, and how it is stepped.
-struct Case {
+struct TimedCase {
   std::string name;
   int dimension = 2;
   std::vector<std::string> overrides;
@@ -33,7 +33,7 @@ struct Case {
   bool plain = true;  // measured beside it
 };
 
-std::vector<Case> cases(int cores) {
+std::vector<TimedCase> timed_cases(int cores) {
   const auto collocated = [](const std::string& support, std::vector<std::string> more = {}) {
     more.insert(more.begin(),
                 {"formulation=variational", "kernel.support=" + support, "stabiliser.kind=none"});
@@ -41,7 +41,7 @@ std::vector<Case> cases(int cores) {
   };
   const auto irregular = collocated("2.5", {"body.jitter=0.2"});
   const std::vector<std::string> linear = {"material.law=linear-elastic"};
-  std::vector<Case> list = {
+  std::vector<TimedCase> list = {
       {"stress-point, cell stabiliser, lattice", 2, {}},
       {"the same, linear elastic", 2, linear},
       {"the same, Neo-Hookean in plane stress", 2, {"material.assumption=stress"}, 0, 1, false},
@@ -67,7 +67,7 @@ std::vector<Case> cases(int cores) {
   return list;
 }
 
-Scene scene_of(const Case& entry, Index large) {
+Scene scene_of(const TimedCase& entry, Index large) {
   const auto particles = static_cast<double>(entry.particles > 0 ? entry.particles : large);
   const double cells = std::round(entry.dimension == 1 ? particles - 1 : std::sqrt(particles) - 1);
   const std::string text = fmt::format(
@@ -121,7 +121,7 @@ double law_work(const AnyLaw<D>& any) {
 }
 
 template <int D>
-BenchmarkRow measure(const Case& entry, const BenchmarkOptions& options,
+BenchmarkRow measure(const TimedCase& entry, const BenchmarkOptions& options,
                      const BenchmarkTable& machine) {
   const Scene scene = scene_of(entry, options.particles);
   const Discretisation<D> body = build<D>(scene);
@@ -193,7 +193,7 @@ BenchmarkTable benchmark(const BenchmarkOptions& options) {
   for (int k = 0; k < batches; ++k)
     table.multiply_adds_per_second =
         std::max(table.multiply_adds_per_second, peak_multiply_adds(2'000'000));
-  for (const Case& entry : cases(table.cores)) {
+  for (const TimedCase& entry : timed_cases(table.cores)) {
     table.interrupted = options.stopped();
     if (table.interrupted) break;
     if (options.before_case) options.before_case(entry.name);

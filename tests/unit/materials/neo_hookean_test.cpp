@@ -94,8 +94,8 @@ struct Reference {
   }
   [[nodiscard]] Long energy() const {
     const Long volume = log + Long{0.5} * n * y;
-    const Long shear = trace + square / 2 + Long{0.5} * n * std::expm1(y) - volume;
-    return mu * shear + lambda / 2 * volume * volume;
+    const Long distortion = trace + square / 2 + Long{0.5} * n * std::expm1(y) - volume;
+    return mu * distortion + lambda / 2 * volume * volume;
   }
   [[nodiscard]] Tangent<D> tangent() const {
     const Long J = 1 + e, turned = mu * std::exp(y) / (J * J);
@@ -160,10 +160,10 @@ TEST(NeoHookeanDigits, HandNumbers) {
   EXPECT_EQ(P(0, 1), 0.0);
   EXPECT_NEAR(law.transverse_stress(plane(1, 1, 0, 0, 0)), std::log(2.0), 1e-15);
 
-  const Tensor<2> shear = law.pk1(plane(1, 0, 0.5, 0, 0));  // simple shear, J = 1
-  EXPECT_NEAR(shear(0, 1), 1.5, 1e-15);
-  EXPECT_NEAR(shear(1, 0), 1.5, 1e-15);
-  EXPECT_NEAR(shear(0, 0), 0.0, 1e-15);
+  const Tensor<2> sheared = law.pk1(plane(1, 0, 0.5, 0, 0));  // simple shear, J = 1
+  EXPECT_NEAR(sheared(0, 1), 1.5, 1e-15);
+  EXPECT_NEAR(sheared(1, 0), 1.5, 1e-15);
+  EXPECT_NEAR(sheared(0, 0), 0.0, 1e-15);
 }
 
 TEST(NeoHookeanDigits, NoNumberWithoutVolume) {
