@@ -7,9 +7,9 @@
 #include <functional>
 #include <iterator>
 #include <nlohmann/json.hpp>
-#include <ranges>
 
 #include "tlsph/core/error.hpp"
+#include "tlsph/core/text.hpp"
 #include "tlsph/io/files.hpp"
 
 namespace tlsph {
@@ -21,18 +21,18 @@ struct Json::Tree {
 
   Node& make(std::string_view path) {
     Node* node = &root;
-    for (const auto key : std::views::split(path, '.')) {
+    for (const std::string_view key : split(path, '.')) {
       assert(node->is_object() || node->is_null());
-      node = &(*node)[std::string(key.begin(), key.end())];
+      node = &(*node)[std::string(key)];
     }
     return *node;
   }
 
   [[nodiscard]] const Node* find(std::string_view path) const {
     const Node* node = &root;
-    for (const auto key : std::views::split(path, '.')) {
+    for (const std::string_view key : split(path, '.')) {
       if (!node->is_object()) return nullptr;
-      const auto child = node->find(std::string(key.begin(), key.end()));
+      const auto child = node->find(std::string(key));
       if (child == node->end()) return nullptr;
       node = &*child;
     }

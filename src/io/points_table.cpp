@@ -7,8 +7,9 @@
 #include <cmath>
 #include <fstream>
 #include <optional>
-#include <ranges>
 #include <string_view>
+
+#include "tlsph/core/text.hpp"
 
 namespace tlsph {
 namespace fs = std::filesystem;
@@ -91,8 +92,8 @@ double read_number(const Cell& cell, Place place) {
 
 std::vector<std::string> words_of(std::string_view text) {
   std::vector<std::string> words;
-  for (const auto word : std::views::split(text, ' '))
-    if (!word.empty()) words.emplace_back(word.begin(), word.end());
+  for (const std::string_view word : split(text, ' '))
+    if (!word.empty()) words.emplace_back(word);
   return words;
 }
 

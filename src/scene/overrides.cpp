@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cctype>
 #include <optional>
-#include <ranges>
 
 #include "schema.hpp"
+#include "tlsph/core/text.hpp"
 
 namespace tlsph {
 namespace {
@@ -33,8 +33,7 @@ std::vector<Step> split_path(const std::string& path, const Place& place) {
       throw InputError(place, "the path is names joined by dots, lists by index: a.b[0].c=value");
   };
   std::vector<Step> steps;
-  for (const auto part : std::views::split(path, '.')) {
-    std::string_view left(part.begin(), part.end());
+  for (std::string_view left : split(path, '.')) {
     const std::string_view name = left.substr(0, left.find('['));
     require(!name.empty());
     steps.push_back({std::string(name), std::nullopt});

@@ -3,13 +3,25 @@
 /// Which nodes lie within the support of which points, found once in the reference configuration.
 
 #include <algorithm>
-#include <ranges>
 #include <span>
 #include <vector>
 
 #include "tlsph/core/types.hpp"
 
 namespace tlsph {
+
+/// Indices first … last − 1, for a loop over them.
+struct IndexRange {
+  struct Iterator {
+    Index index = 0;
+    [[nodiscard]] Index operator*() const { return index; }
+    Iterator& operator++() { return ++index, *this; }
+    [[nodiscard]] bool operator==(const Iterator&) const = default;
+  };
+  Index first = 0, last = 0;
+  [[nodiscard]] Iterator begin() const { return {first}; }
+  [[nodiscard]] Iterator end() const { return {last}; }
+};
 
 /// Compressed lists: the neighbours of row s are `column[start[s]] … column[start[s+1]-1]`,
 /// ascending.
@@ -20,7 +32,7 @@ struct Neighbours {
   [[nodiscard]] Index rows() const { return static_cast<Index>(start.size()) - 1; }
   [[nodiscard]] Index size() const { return static_cast<Index>(column.size()); }
   /// The places of a row's entries in `column`.
-  [[nodiscard]] std::ranges::iota_view<Index, Index> entries(Index row) const {
+  [[nodiscard]] IndexRange entries(Index row) const {
     return {start[static_cast<std::size_t>(row)], start[static_cast<std::size_t>(row) + 1]};
   }
   [[nodiscard]] int column_at(Index entry) const { return column[static_cast<std::size_t>(entry)]; }
