@@ -30,10 +30,10 @@ SparseMatrix among(const SparseMatrix& matrix, const std::vector<Index>& chosen)
 }
 
 LinearBody::LinearBody(const Discretisation<2>& body)
-    : disc_(body), free_(free_dofs(body)), factor_(among(stiffness(body), free_)) {}
+    : body_(body), free_(free_dofs(body)), factor_(among(stiffness(body), free_)) {}
 
 VectorField<2> LinearBody::at_rest(const VectorField<2>& forces) const {
-  VectorField<2> u = VectorField<2>::Zero(disc_.nodes(), 2);
+  VectorField<2> u = VectorField<2>::Zero(body_.nodes(), 2);
   u.reshaped<Eigen::RowMajor>()(free_) =
       factor_.solve(Eigen::VectorXd(forces.reshaped<Eigen::RowMajor>()(free_)));
   return u;
@@ -42,7 +42,7 @@ VectorField<2> LinearBody::at_rest(const VectorField<2>& forces) const {
 double LinearBody::lowest_frequency() const {
   constexpr double enough = 1e-13;
   constexpr int most_rounds = 200;
-  const Eigen::VectorXd mass = disc_.inverse_mass.reshaped<Eigen::RowMajor>()(free_).cwiseInverse();
+  const Eigen::VectorXd mass = body_.inverse_mass.reshaped<Eigen::RowMajor>()(free_).cwiseInverse();
   Eigen::VectorXd x = Eigen::VectorXd::Ones(mass.size());
   double square = 0.0;
   for (int round = 0; round < most_rounds; ++round) {

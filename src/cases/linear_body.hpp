@@ -23,7 +23,7 @@ class LinearBody {
   [[nodiscard]] double lowest_frequency() const;
 
  private:
-  const Discretisation<2>& disc_;
+  const Discretisation<2>& body_;
   std::vector<Index> free_;
   Cholesky factor_;
 };

@@ -23,8 +23,9 @@ struct LeastNorm::Impl {
     factors =
         SuiteSparseQR_factorize<double>(SPQR_ORDERING_DEFAULT, SPQR_NO_TOL, &view, state.get());
     if (factors == nullptr) fail();
-    if (factors->rank < conditions)
-      throw_failure(method, transposed, "its columns depend on each other");
+    if (factors->rank >= conditions) return;
+    SuiteSparseQR_free(&factors, state.get());  // no destructor after an exception of this one
+    throw_failure(method, transposed, "its columns depend on each other");
   }
   ~Impl() { SuiteSparseQR_free(&factors, state.get()); }
   Impl(const Impl&) = delete;

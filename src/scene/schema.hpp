@@ -65,7 +65,7 @@ struct Key {
   std::string unit;
   Allowed allowed;
   std::string doc;
-  std::string below = "";  ///< the group of the keys in its own table, if it holds one
+  std::string below = {};  ///< the group of the keys in its own table, if it holds one
   /// Default: TOML, or a remark in parentheses; empty if the key is required.
   std::string standard = "(none)";
 };

@@ -54,7 +54,7 @@ double largest_row_sum(const VectorOperator<D>& gradient) {
 
 template <int D>
 AdaptiveStep<D>::AdaptiveStep(const Discretisation<D>& body, const State<D>& state, double safety)
-    : disc_(body),
+    : body_(body),
       safety_(std::max(safety, notch * always_kept)),
       kept_(std::max(safety + kept_share * (1.0 - safety), always_kept)),
       deformation_(std::max(smallest_deformation, deformation_share * (1.0 - safety))),
@@ -87,13 +87,13 @@ template <int D>
 double AdaptiveStep<D>::share_of_estimate(double added) const {
   const double dt = std::min(critical_.dt, initial_limit_);
   const double c = dt * dt * added;
-  if (disc_.viscosity.nonZeros() == 0) return 1.0 / std::sqrt(1.0 + 0.25 * c);
+  if (body_.viscosity.nonZeros() == 0) return 1.0 / std::sqrt(1.0 + 0.25 * c);
   return 2.0 / (1.0 + std::sqrt(1.0 + c));
 }
 
 template <int D>
 double AdaptiveStep<D>::bound(const State<D>& state) const {
-  const double gamma = gamma_ > 0.0 ? gamma_ : unit_stiffness<D>(disc_, sweep_);
+  const double gamma = gamma_ > 0.0 ? gamma_ : unit_stiffness<D>(body_, sweep_);
   StrainField strains = H_bound_;
   const auto change = monitor_->change(state, H_estimate_, memory_estimate_, strains);
   return std::min(critical_.dt, initial_limit_) * share_of_estimate(gamma * change.stiffening);
@@ -104,8 +104,8 @@ double AdaptiveStep<D>::bound(const State<D>& state) const {
 template <int D>
 void AdaptiveStep<D>::estimate(State<D>& state) {
   ++estimates_;
-  if (!monitor_->reads_strains()) disc_.gradient.gradient(state.u, state.H);
-  const auto critical = critical_step_if_any<D>(disc_, state, tolerance_of_estimate, sweep_);
+  if (!monitor_->reads_strains()) body_.gradient.gradient(state.u, state.H);
+  const auto critical = critical_step_if_any<D>(body_, state, tolerance_of_estimate, sweep_);
   if (critical) critical_ = *critical;
   if (!critical || !(critical_.dt < initial_limit_)) critical_.dt = initial_limit_;
   monitor_->store(state, H_estimate_);
@@ -117,7 +117,7 @@ template <int D>
 void AdaptiveStep<D>::take_bound(State<D>& state) {
   ++bounds_;
   if (gamma_ == 0.0)
-    gamma_ = unit_stiffness<D>(disc_, sweep_);  // not needed by a body that hardly deforms
+    gamma_ = unit_stiffness<D>(body_, sweep_);  // not needed by a body that hardly deforms
   const auto change = monitor_->change(state, H_estimate_, memory_estimate_, H_bound_);
   limit_ = std::min(critical_.dt, initial_limit_) * share_of_estimate(gamma_ * change.stiffening);
   change_ = 0.0;

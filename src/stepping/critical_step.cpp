@@ -20,7 +20,7 @@ class Linearised {
   /// `at`: the state and the sweep of its forces, or the sweep alone.
   template <class... At>
   explicit Linearised(const Discretisation<D>& body, const At&... at)
-      : disc_(body),
+      : body_(body),
         forces_(body, at...),
         x_(VectorField<D>::Zero(body.nodes(), D)),
         y_(x_),
@@ -37,7 +37,7 @@ class Linearised {
     if (c != 0.0) {
       y_ *= k;
       x_ *= c;
-      subtract_differences<D>(disc_.viscosity, x_, y_);
+      subtract_differences<D>(body_.viscosity, x_, y_);
       k = 1.0;
     }
     for_rows(size(), [=, from = y_.data(), to = y.data()](Index dof) {
@@ -47,14 +47,14 @@ class Linearised {
   /// y = M⁻¹ K x on the free degrees of freedom.
   void general(const Eigen::VectorXd& x, Eigen::VectorXd& y) {
     for (Index k = 0; k < size(); ++k)
-      x_.data()[k] = disc_.inverse_mass.data()[k] == 0.0 ? 0.0 : x[k];
+      x_.data()[k] = body_.inverse_mass.data()[k] == 0.0 ? 0.0 : x[k];
     forces_.product(x_, y_);
-    y = -Eigen::Map<const Eigen::VectorXd>(disc_.inverse_mass.data(), size())
+    y = -Eigen::Map<const Eigen::VectorXd>(body_.inverse_mass.data(), size())
              .cwiseProduct(Eigen::Map<const Eigen::VectorXd>(y_.data(), size()));
   }
 
  private:
-  const Discretisation<D>& disc_;
+  const Discretisation<D>& body_;
   LinearisedForces<D> forces_;
   VectorField<D> x_;
   VectorField<D> y_;

@@ -27,7 +27,7 @@ std::vector<Index> free_dofs(const Discretisation<D>& body) {
 template <int D>
 LinearisedForces<D>::LinearisedForces(const Discretisation<D>& body, const State<D>& state,
                                       const Sweep<D>* sweep)
-    : disc_(body), state_(&state) {
+    : body_(body), state_(&state) {
   const bool by_points = body.viscosity.nonZeros() > 0;
   const bool large = body.nodes() >= worth_a_sweep && Sweep<D>::possible(body);
   if (by_points || (sweep == nullptr && !large)) {
@@ -47,7 +47,7 @@ LinearisedForces<D>::LinearisedForces(const Discretisation<D>& body, const State
 
 template <int D>
 LinearisedForces<D>::LinearisedForces(const Discretisation<D>& body, const Sweep<D>* sweep)
-    : disc_(body) {
+    : body_(body) {
   if (sweep != nullptr)
     tangent_.emplace(body, *sweep);
   else
@@ -56,9 +56,9 @@ LinearisedForces<D>::LinearisedForces(const Discretisation<D>& body, const Sweep
 
 template <int D>
 void LinearisedForces<D>::prepare() {
-  zero_.assign(disc_.signals.size(), 0.0);
-  H_ = TensorField<D>::Zero(disc_.points.size(), D * D);
-  if (disc_.ghosts) workspace_ = disc_.ghosts->workspace();
+  zero_.assign(body_.signals.size(), 0.0);
+  H_ = TensorField<D>::Zero(body_.points.size(), D * D);
+  if (body_.ghosts) workspace_ = body_.ghosts->workspace();
 }
 
 template <int D>
@@ -72,19 +72,19 @@ void LinearisedForces<D>::product(const VectorField<D>& x, VectorField<D>& force
     return;
   }
   if (tangent_) return tangent_->product(x, force);
-  if (disc_.ghosts)
-    disc_.ghosts->apply(x, zero_, H_, workspace_);
+  if (body_.ghosts)
+    body_.ghosts->apply(x, zero_, H_, workspace_);
   else
-    disc_.gradient.gradient(x, H_);
+    body_.gradient.gradient(x, H_);
   if (state_ != nullptr) apply_tangents();
-  for (const SignalTerm& term : disc_.stress_values) H_.data()[term.slot] = 0.0;
-  disc_.divergence.divergence(H_, force);
-  if (state_ != nullptr) subtract_stabiliser<D>(disc_, x, force);
+  for (const SignalTerm& term : body_.stress_values) H_.data()[term.slot] = 0.0;
+  body_.divergence.divergence(H_, force);
+  if (state_ != nullptr) subtract_stabiliser<D>(body_, x, force);
 }
 
 template <int D>
 void LinearisedForces<D>::apply_tangents() {
-  for (const Region<D>& region : disc_.regions)
+  for (const Region<D>& region : body_.regions)
     std::visit(
         [&](const auto& law) {
           for_rows(region.size(H_.rows()), [&](Index k) {
@@ -99,10 +99,10 @@ void LinearisedForces<D>::apply_tangents() {
 
 template <int D>
 SparseMatrix LinearisedForces<D>::dynamical_matrix() {
-  const std::vector<Index> free = free_dofs<D>(disc_);
+  const std::vector<Index> free = free_dofs<D>(body_);
   const auto n = static_cast<Index>(free.size());
-  const auto root = [&](Index dof) { return std::sqrt(disc_.inverse_mass.data()[dof]); };
-  VectorField<D> x = VectorField<D>::Zero(disc_.nodes(), D);
+  const auto root = [&](Index dof) { return std::sqrt(body_.inverse_mass.data()[dof]); };
+  VectorField<D> x = VectorField<D>::Zero(body_.nodes(), D);
   VectorField<D> force = x;
   std::vector<Eigen::Triplet<double>> entries;
   for (Index column = 0; column < n; ++column) {
@@ -119,7 +119,7 @@ SparseMatrix LinearisedForces<D>::dynamical_matrix() {
   }
   SparseMatrix result(n, n);
   result.setFromTriplets(entries.begin(), entries.end());
-  if (!disc_.adjoint) return result;
+  if (!body_.adjoint) return result;
   // Symmetric but for round-off, and better solved as such.
   const SparseMatrix transposed = result.transpose();
   return 0.5 * (result + transposed);
@@ -127,14 +127,14 @@ SparseMatrix LinearisedForces<D>::dynamical_matrix() {
 
 template <int D>
 SparseMatrix LinearisedForces<D>::damping_matrix() const {
-  if (disc_.viscosity.nonZeros() == 0) return {};
-  const std::vector<Index> free = free_dofs<D>(disc_);
-  std::vector<int> place(static_cast<std::size_t>(disc_.inverse_mass.size()), -1);
+  if (body_.viscosity.nonZeros() == 0) return {};
+  const std::vector<Index> free = free_dofs<D>(body_);
+  std::vector<int> place(static_cast<std::size_t>(body_.inverse_mass.size()), -1);
   for (std::size_t k = 0; k < free.size(); ++k)
     place[static_cast<std::size_t>(free[k])] = static_cast<int>(k);
   std::vector<Eigen::Triplet<double>> entries;
-  for (Index p = 0; p < disc_.viscosity.outerSize(); ++p)
-    for (SparseMatrix::InnerIterator entry(disc_.viscosity, p); entry; ++entry)
+  for (Index p = 0; p < body_.viscosity.outerSize(); ++p)
+    for (SparseMatrix::InnerIterator entry(body_.viscosity, p); entry; ++entry)
       for (int i = 0; i < D; ++i) {
         const Index row = entry.row() * D + i;
         const Index column = entry.col() * D + i;
@@ -142,8 +142,8 @@ SparseMatrix LinearisedForces<D>::damping_matrix() const {
         const int from = place[static_cast<std::size_t>(column)];
         if (to >= 0 && from >= 0)
           entries.emplace_back(to, from,
-                               entry.value() * std::sqrt(disc_.inverse_mass.data()[row] *
-                                                         disc_.inverse_mass.data()[column]));
+                               entry.value() * std::sqrt(body_.inverse_mass.data()[row] *
+                                                         body_.inverse_mass.data()[column]));
       }
   const auto n = static_cast<Index>(free.size());
   SparseMatrix result(n, n);

@@ -115,7 +115,7 @@ void set_stencils(RowWeights& table, const RowStorage& rows) {
 
 template <int D>
 Storage<D>::Storage(const Discretisation<D>& body, bool single)
-    : inverse_mass(body.mass.cwiseInverse()), disc_(body) {
+    : inverse_mass(body.mass.cwiseInverse()), body_(body) {
   tables.modes = !body.hourglass.empty();
   const Neighbours& gradient_pattern = body.gradient.pattern();
   const Neighbours& divergence_pattern = body.divergence.pattern();
@@ -153,8 +153,8 @@ auto Storage<D>::general_rows(const RowStorage& rows, const VectorOperator<D>& o
 
 template <int D>
 void Storage<D>::add_rows() {
-  tables.viscous = disc_.viscosity.nonZeros() > 0;
-  const SparseMatrix& matrix = tables.viscous ? disc_.viscosity : disc_.stiffness;
+  tables.viscous = body_.viscosity.nonZeros() > 0;
+  const SparseMatrix& matrix = tables.viscous ? body_.viscosity : body_.stiffness;
   tables.has_rows = matrix.nonZeros() > 0;
   if (!tables.has_rows) return;
   rows_pattern_ = pattern_of(matrix);
@@ -181,16 +181,16 @@ void Storage<D>::add_report(const RowStorage& stored, const Neighbours& pattern)
 template <int D>
 std::vector<double> Storage<D>::mode_forces() const {
   if (!tables.modes) return {};
-  const Neighbours& cells = disc_.divergence.pattern();
+  const Neighbours& cells = body_.divergence.pattern();
   std::vector<double> forces(cells.column.size());
   std::vector<Index> next(cells.start.begin(), cells.start.end() - 1);
-  const Neighbours& nodes = disc_.gradient.pattern();
-  auto weight = disc_.hourglass.weights.begin();
+  const Neighbours& nodes = body_.gradient.pattern();
+  auto weight = body_.hourglass.weights.begin();
   for (Index s = 0; s < nodes.rows(); ++s)
     for (const int q : nodes.of(s)) {
       const auto place = static_cast<std::size_t>(next[static_cast<std::size_t>(q)]++);
       assert(cells.column[place] == s);
-      forces[place] = -(disc_.hourglass.modulus[s] * *weight++);
+      forces[place] = -(body_.hourglass.modulus[s] * *weight++);
     }
   return forces;
 }
@@ -198,9 +198,9 @@ std::vector<double> Storage<D>::mode_forces() const {
 template <int D>
 PlanInput Storage<D>::plan_input() const {
   PlanInput input;
-  input.points = stream_of(disc_.gradient.pattern(), disc_.nodes(), gradient);
-  column_range(disc_.divergence.pattern(), input.points.moving_low, input.points.moving_high);
-  if (tables.has_rows) input.rows = stream_of(rows_pattern_, disc_.nodes(), rows);
+  input.points = stream_of(body_.gradient.pattern(), body_.nodes(), gradient);
+  column_range(body_.divergence.pattern(), input.points.moving_low, input.points.moving_high);
+  if (tables.has_rows) input.rows = stream_of(rows_pattern_, body_.nodes(), rows);
   input.nodes = &divergence.runs;
   return input;
 }

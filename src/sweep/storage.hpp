@@ -54,7 +54,7 @@ class Storage {
   void add_rows();
   void add_report(const RowStorage& rows, const Neighbours& pattern);
 
-  const Discretisation<D>& disc_;
+  const Discretisation<D>& body_;
   General general_gradient_, general_divergence_;
   Neighbours rows_pattern_;
 };

@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -17,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "tlsph/core/dimensions.hpp"
 #include "tlsph/dynamics/balance.hpp"
 #include "tlsph/dynamics/state.hpp"
 #include "tlsph/kernels/families.hpp"
@@ -192,10 +192,7 @@ inline std::vector<Material> materials() {
 /// Builds the scene in its dimension and hands the discretisation to `use`, a generic function.
 template <class Use>
 void discretised(const Scene& scene, const Use& use) {
-  if (scene.dimension == 1)
-    use(build<1>(scene));
-  else
-    use(build<2>(scene));
+  in_dimension(scene.dimension, [&]<int D>() { use(build<D>(scene)); });
 }
 
 template <int D>

@@ -25,6 +25,8 @@ namespace tlsph {
 class SolveWorkspace {
  public:
   ~SolveWorkspace();
+  SolveWorkspace(const SolveWorkspace&) = delete;
+  SolveWorkspace& operator=(const SolveWorkspace&) = delete;
   SolveWorkspace(SolveWorkspace&&) noexcept;
   SolveWorkspace& operator=(SolveWorkspace&&) noexcept;
 
@@ -41,6 +43,8 @@ class SolveWorkspace {
 class Factorization {
  public:
   ~Factorization();
+  Factorization(const Factorization&) = delete;
+  Factorization& operator=(const Factorization&) = delete;
   Factorization(Factorization&&) noexcept;
   Factorization& operator=(Factorization&&) noexcept;
 

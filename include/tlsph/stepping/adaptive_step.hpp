@@ -107,7 +107,7 @@ class AdaptiveStep {
   void take_bound(State<D>& state);
   void limit_deformation(const State<D>& state, double rate, double most);
 
-  const Discretisation<D>& disc_;
+  const Discretisation<D>& body_;
   const Sweep<D>* sweep_ = nullptr;  ///< that strains and estimates are computed by
   double safety_;
   double kept_;         ///< share of the limit up to which a step stays

@@ -40,7 +40,7 @@ class LinearisedForces {
   void prepare();
   void apply_tangents();
 
-  const Discretisation<D>& disc_;
+  const Discretisation<D>& body_;
   const State<D>* state_ = nullptr;  // none: the unit tangent
   TensorField<D> H_;
   std::optional<Sweep<D>> sweep_;               // of large undeformed bodies, a tenth of the cost

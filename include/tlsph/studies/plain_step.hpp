@@ -16,7 +16,7 @@ class PlainStep {
  public:
   /// Of a free body of one law.
   PlainStep(const Discretisation<D>& body, const VectorField<D>& u)
-      : disc_(body), stabiliser_(stabiliser_matrix<D>(body)), u_(u) {
+      : body_(body), stabiliser_(stabiliser_matrix<D>(body)), u_(u) {
     for (int a = 0; a < D; ++a) {
       gradient_.push_back(body.gradient.matrix(a));
       divergence_.push_back(body.divergence.matrix(a));
@@ -30,21 +30,21 @@ class PlainStep {
       H_.col(c).noalias() = gradient_[static_cast<std::size_t>(c % D)] * u_.col(c / D);
     std::visit(
         [&](const auto& law) {
-          for (Index s = 0; s < disc_.points.size(); ++s) {
+          for (Index s = 0; s < body_.points.size(); ++s) {
             Tensor<D> H;
             for (int c = 0; c < D * D; ++c) H.data()[c] = H_(s, c);
             const Tensor<D> P = law.pk1(H);
             for (int c = 0; c < D * D; ++c) P_(s, c) = P.data()[c];
           }
         },
-        disc_.regions.front().law);
+        body_.regions.front().law);
     for (int i = 0; i < D; ++i) {
       f_.col(i).noalias() = divergence_[0] * P_.col(i * D);
       for (int a = 1; a < D; ++a)
         f_.col(i).noalias() += divergence_[static_cast<std::size_t>(a)] * P_.col(i * D + a);
       if (stabiliser_.nonZeros() > 0) f_.col(i).noalias() -= stabiliser_ * u_.col(i);
-      for (Index q = 0; q < disc_.nodes(); ++q) {
-        v_(q, i) += dt * disc_.inverse_mass(q, i) * f_(q, i);
+      for (Index q = 0; q < body_.nodes(); ++q) {
+        v_(q, i) += dt * body_.inverse_mass(q, i) * f_(q, i);
         u_(q, i) += dt * v_(q, i);
       }
     }
@@ -55,7 +55,7 @@ class PlainStep {
   template <int N>
   using Columns = Eigen::Matrix<double, Eigen::Dynamic, N>;
 
-  const Discretisation<D>& disc_;
+  const Discretisation<D>& body_;
   std::vector<SparseMatrix> gradient_, divergence_;  // a direction each
   SparseMatrix stabiliser_;                          // as stiffness, multiplied out
   Columns<D> u_, v_, f_;

@@ -21,6 +21,8 @@ class StrainMonitor {
  public:
   /// Reads H of states that are evaluated. The discretisation must outlive this.
   explicit StrainMonitor(const Discretisation<D>& discretisation);
+  StrainMonitor(const StrainMonitor&) = delete;
+  StrainMonitor& operator=(const StrainMonitor&) = delete;
   ~StrainMonitor();
 
   /// From now on strains are computed from u, by the operators of a sweep of the same
